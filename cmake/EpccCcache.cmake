@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Compile through ccache where it is installed.
+find_program(EPCC_CCACHE ccache)
+if(EPCC_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_C_COMPILER_LAUNCHER ${EPCC_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${EPCC_CCACHE})
+endif()

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A view on one organized range measurement: pinhole depth image, organized cloud or spherical scan.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace epcc {
+
+/// Pinhole intrinsics in pixels; frame x right, y down, z forward. Pixel centres at whole numbers.
+struct PinholeCamera {
+  int width = 0;
+  int height = 0;
+  double fx = 0.0;
+  double fy = 0.0;
+  double cx = 0.0;
+  double cy = 0.0;
+
+  /// Empty if usable, else what is wrong in words.
+  std::string validate() const;
+};
+
+/// How the pixels of an organized measurement see the world.
+enum class Projection {
+  Perspective,  ///< measured value z along the optical axis; columns and rows are planar sections
+  Spherical     ///< measured value range; columns (fixed azimuth about the z-up axis) are planar sections, rows are cones
+};
+
+/// Non-owning view; the data must outlive it. Row-major. Cheap to copy.
+///
+/// The algorithm works in a *scan frame* in which every scan line is a column: across (x), along the
+/// scan line (y), forward (z). toScan() turns sensor coordinates into it; transposed() gives the view
+/// whose columns are this view's rows (Sec. 7.2 of the paper).
+class DepthFrame {
+ public:
+  /// Depth image in metres, camera.width * camera.height values; <= 0, NaN and Inf are invalid.
+  static DepthFrame fromDepth(const float* depth, const PinholeCamera& camera);
+  /// Organized cloud: x, y, z at `xyz + stride * (row * width + column)`, stride in floats.
+  /// Perspective clouds are in the camera frame; spherical ones x forward, y left, z up.
+  static DepthFrame fromPoints(const float* xyz, std::size_t stride, int width, int height, Projection projection);
+
+  /// Pixels with mask[row * width + column] == 0 count as invalid; nullptr: none.
+  DepthFrame masked(const std::uint8_t* mask) const;
+  /// Rows become columns, x and y change places.
+  DepthFrame transposed() const;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool empty() const { return width_ <= 0 || height_ <= 0; }
+  Projection projection() const { return projection_; }
+  bool isPinhole() const { return depth_ != nullptr; }
+  bool isTransposed() const { return transposed_; }
+
+  /// Index of the pixel in the caller's row-major arrays, also from a transposed view.
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * row_stride_ + static_cast<std::size_t>(column) * column_stride_;
+  }
+
+  /// Point in the scan frame, metres. False for an invalid pixel.
+  bool scanPoint(int row, int column, Eigen::Vector3d& point) const;
+  /// Point in the sensor's own frame, metres. False for an invalid pixel.
+  bool point(int row, int column, Eigen::Vector3d& point) const;
+  /// The measured value of a point of the scan frame: z, or the range.
+  double measuredDepth(const Eigen::Vector3d& scan_point) const {
+    return projection_ == Projection::Perspective ? scan_point.z() : scan_point.norm();
+  }
+
+ private:
+  DepthFrame() = default;
+  bool sensorPoint(std::size_t index, int row, int column, double& x, double& y, double& z) const;
+
+  const float* depth_ = nullptr;
+  const float* xyz_ = nullptr;
+  std::size_t point_stride_ = 0;
+  const std::uint8_t* mask_ = nullptr;
+  PinholeCamera camera_;  // of the untransposed image
+  int width_ = 0;
+  int height_ = 0;
+  std::size_t row_stride_ = 0;
+  std::size_t column_stride_ = 0;
+  Projection projection_ = Projection::Perspective;
+  bool transposed_ = false;
+};
+
+/// Finds out whether an organized cloud is a perspective or a spherical measurement: along the
+/// columns of the one x/z is constant, along those of the other the azimuth atan2(y, x).
+/// Clouds with too few points count as perspective.
+Projection detectProjection(const float* xyz, std::size_t stride, int width, int height);
+
+}  // namespace epcc

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is known of a depth sensor's error: its size sigma_z(z) and its correlation length.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace epcc {
+
+/// Noise model of a depth sensor.
+///
+/// The error of a depth z (metres along the optical axis; for a spherical scan the range) has the
+/// standard deviation sigma_z(z), in one of two forms:
+///  - polynomial, Eq. 22 of the paper: sigma_z = k1 z^2 + k2 z + k3;
+///  - axial: sigma_z^2 = a^2 + (b z^2)^2, a floor plus the growth of a triangulating sensor.
+/// Real depth error comes in blotches: correlationLength() is their Gaussian radius in pixels.
+class SensorModel {
+ public:
+  /// The paper's sensor, preset "d435i".
+  SensorModel();
+
+  /// Eq. 22: sigma_z = k1 z^2 + k2 z + k3, metres (k1 in 1/m, k2 unitless, k3 in m).
+  static SensorModel polynomial(double k1, double k2, double k3, double correlation_length = 1.0);
+  /// sigma_z^2 = a^2 + (b z^2)^2 with a in metres, b in 1/m.
+  static SensorModel axial(double a, double b, double correlation_length = 1.0);
+
+  /// Named preset, or nothing if the name is unknown. Names: presetNames().
+  static std::optional<SensorModel> preset(const std::string& name);
+  /// d435i, kinect-v1, realsense, realsense-registered, rendered, structure-sensor, structured-light.
+  static std::vector<std::string> presetNames();
+  /// Reads the command-line form `PRESET | A,B,L | poly:K1,K2,K3` (metres, 1/m, pixels).
+  /// On failure returns nothing and, if `why` is given, says what is wrong.
+  static std::optional<SensorModel> parse(const std::string& text, std::string* why = nullptr);
+
+  /// Standard deviation in metres of a depth of z metres; never below one micrometre.
+  double sigmaZ(double z) const {
+    const double sigma = polynomial_ ? (k_[0] * z + k_[1]) * z + k_[2] : std::hypot(k_[0], k_[1] * z * z);
+    return sigma > kSmallestSigma ? sigma : kSmallestSigma;
+  }
+  /// Standard deviation of the inverse depth, sigma_z / z^2, in 1/m.
+  double sigmaInverseDepth(double z) const { return sigmaZ(z) / (z * z); }
+
+  /// Radius l of the error's autocorrelation exp(-r^2 / (2 l^2)), in pixels of the given grid.
+  double correlationLength() const { return correlation_length_; }
+  /// Pixels per independent sample over an area: max(1, 2 pi l^2).
+  double pixelsPerSample() const { return std::fmax(1.0, 2.0 * M_PI * correlation_length_ * correlation_length_); }
+  /// Pixels per independent sample along a line: max(1, 2.5 l).
+  double pixelsPerLineSample() const { return std::fmax(1.0, 2.5 * correlation_length_); }
+
+  /// Empty if the model can be used, else what is wrong in words.
+  std::string validate() const;
+  /// One line for reports, for example "axial a=0.0035 m b=0.0055 1/m l=9.5 px".
+  std::string description() const;
+
+ private:
+  static constexpr double kSmallestSigma = 1e-6;
+  SensorModel(bool is_polynomial, double k0, double k1, double k2, double correlation_length)
+      : polynomial_(is_polynomial), k_{k0, k1, k2}, correlation_length_(correlation_length) {}
+
+  bool polynomial_;
+  double k_[3];
+  double correlation_length_;
+};
+
+}  // namespace epcc
