@@ -40,6 +40,7 @@ class PlaneExtractor {
 
  private:
   struct Workspace;
+  void prepare(const DepthFrame& frame, PlaneSegmentation& result);
 
   Parameters parameters_;
   SensorModel sensor_;

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Access to the points of the three kinds of organized measurement.
+#include "epcc_segmentation/depth_frame.h"
+
+#include <cmath>
+
+namespace epcc {
+
+std::string PinholeCamera::validate() const {
+  if (width <= 0 || height <= 0) return "the image size must be positive";
+  if (!(std::isfinite(fx) && fx > 0.0) || !(std::isfinite(fy) && fy > 0.0)) return "fx and fy must be positive";
+  if (!std::isfinite(cx) || !std::isfinite(cy)) return "cx and cy must be finite";
+  return {};
+}
+
+DepthFrame DepthFrame::fromDepth(const float* depth, const PinholeCamera& camera) {
+  DepthFrame frame;
+  if (depth == nullptr || !camera.validate().empty()) return frame;
+  frame.depth_ = depth;
+  frame.camera_ = camera;
+  frame.width_ = camera.width;
+  frame.height_ = camera.height;
+  frame.row_stride_ = static_cast<std::size_t>(camera.width);
+  frame.column_stride_ = 1;
+  return frame;
+}
+
+DepthFrame DepthFrame::fromPoints(const float* xyz, std::size_t stride, int width, int height, Projection projection) {
+  DepthFrame frame;
+  if (xyz == nullptr || stride < 3 || width <= 0 || height <= 0) return frame;
+  frame.xyz_ = xyz;
+  frame.point_stride_ = stride;
+  frame.width_ = width;
+  frame.height_ = height;
+  frame.row_stride_ = static_cast<std::size_t>(width);
+  frame.column_stride_ = 1;
+  frame.projection_ = projection;
+  return frame;
+}
+
+DepthFrame DepthFrame::masked(const std::uint8_t* mask) const {
+  DepthFrame frame = *this;
+  frame.mask_ = mask;
+  return frame;
+}
+
+DepthFrame DepthFrame::transposed() const {
+  DepthFrame frame = *this;
+  std::swap(frame.width_, frame.height_);
+  std::swap(frame.row_stride_, frame.column_stride_);
+  frame.transposed_ = !transposed_;
+  return frame;
+}
+
+bool DepthFrame::sensorPoint(std::size_t pixel, int row, int column, double& x, double& y, double& z) const {
+  if (mask_ != nullptr && mask_[pixel] == 0) return false;
+  if (depth_ != nullptr) {
+    z = static_cast<double>(depth_[pixel]);
+    if (!(z > 0.0) || !std::isfinite(z)) return false;
+    const int image_row = transposed_ ? column : row;
+    const int image_column = transposed_ ? row : column;
+    x = z * ((image_column - camera_.cx) / camera_.fx);
+    y = z * ((image_row - camera_.cy) / camera_.fy);
+    return true;
+  }
+  const float* p = xyz_ + pixel * point_stride_;
+  if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) return false;
+  x = static_cast<double>(p[0]);
+  y = static_cast<double>(p[1]);
+  z = static_cast<double>(p[2]);
+  return projection_ == Projection::Perspective ? z > 0.0 : x * x + y * y + z * z > 0.0;
+}
+
+bool DepthFrame::scanPoint(int row, int column, Eigen::Vector3d& point) const {
+  double x, y, z;
+  if (!sensorPoint(index(row, column), row, column, x, y, z)) return false;
+  // Spherical scans: x forward, y left, z up becomes across = right, along = down, forward.
+  if (projection_ == Projection::Spherical) {
+    const double forward = x;
+    x = -y;
+    y = -z;
+    z = forward;
+  }
+  if (transposed_) std::swap(x, y);
+  point = Eigen::Vector3d(x, y, z);
+  return true;
+}
+
+bool DepthFrame::point(int row, int column, Eigen::Vector3d& point) const {
+  double x, y, z;
+  if (!sensorPoint(index(row, column), row, column, x, y, z)) return false;
+  point = Eigen::Vector3d(x, y, z);
+  return true;
+}
+
+Projection detectProjection(const float* xyz, std::size_t stride, int width, int height) {
+  // Sum over neighbouring valid points of a column of the change of each candidate's column angle.
+  double perspective_change = 0.0;
+  double spherical_change = 0.0;
+  long pairs = 0;
+  long behind = 0;
+  const int column_step = width > 64 ? width / 64 : 1;
+  for (int column = 0; column < width; column += column_step) {
+    bool have_last = false;
+    double last_perspective = 0.0;
+    double last_spherical = 0.0;
+    for (int row = 0; row < height; ++row) {
+      const float* p = xyz + (static_cast<std::size_t>(row) * width + column) * stride;
+      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) continue;
+      const double x = static_cast<double>(p[0]);
+      const double y = static_cast<double>(p[1]);
+      const double z = static_cast<double>(p[2]);
+      if (x == 0.0 && y == 0.0 && z == 0.0) continue;
+      if (z <= 0.0) ++behind;
+      const double perspective = std::atan2(x, z);
+      const double spherical = std::atan2(y, x);
+      if (have_last) {
+        perspective_change += std::abs(std::remainder(perspective - last_perspective, 2.0 * M_PI));
+        spherical_change += std::abs(std::remainder(spherical - last_spherical, 2.0 * M_PI));
+        ++pairs;
+      }
+      last_perspective = perspective;
+      last_spherical = spherical;
+      have_last = true;
+    }
+  }
+  // A perspective camera sees nothing behind itself; ten times clearer is clear enough.
+  if (pairs < 16) return Projection::Perspective;
+  if (behind == 0 && spherical_change > 0.1 * perspective_change) return Projection::Perspective;
+  return spherical_change < perspective_change ? Projection::Spherical : Projection::Perspective;
+}
+
+}  // namespace epcc

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Algorithm 2 of the paper, one function a step.
+#include "metric/plane_clustering.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "metric/segment_distance.h"
+
+namespace epcc {
+
+namespace {
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr double kSmallestMeanDistance = 1e-6;  // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
+}  // namespace
+
+void PlanePrototype::add(const Eigen::Vector3d& endpoint) {
+  const double d = std::abs(distance(endpoint));
+  ++distances;
+  mean_distance += (d - mean_distance) / distances;
+  const double weight = std::exp(-d / std::max(mean_distance, kSmallestMeanDistance));
+  statistics.add(endpoint, weight);
+}
+
+void PlanePrototype::refit() {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(statistics.covariance);
+  normal = solver.eigenvectors().col(0);
+  variance = varianceAlong(statistics.covariance, normal);
+}
+
+PlaneClustering::PlaneClustering(const PlaneClusteringParameters& parameters, const SensorModel& sensor,
+                                 Projection projection)
+    : parameters_(parameters), sensor_(sensor), projection_(projection) {}
+
+void PlaneClustering::begin() {
+  segments_.clear();
+  labels_.clear();
+  lines_.clear();
+  planes_.clear();
+}
+
+void PlaneClustering::addLine(const std::vector<LineSegment>& line_segments) {
+  const std::size_t line = lines_.size();
+  lines_.push_back({segments_.size(), segments_.size() + line_segments.size()});
+  for (const auto& line_segment : line_segments) segments_.push_back(makeSegment(line_segment));
+  labels_.resize(segments_.size(), kUnlabelled);
+
+  for (std::size_t i = lines_[line].begin; i < lines_[line].end; ++i) {
+    const int plane = bestPlane(segments_[i], line);
+    if (plane != kUnlabelled) {
+      labels_[i] = plane;
+      addToPlane(plane, segments_[i]);
+      continue;
+    }
+    const std::size_t partner = startPartner(segments_[i], line);
+    if (partner != kNone) startPlane(partner, i);
+  }
+}
+
+void PlaneClustering::finish() {
+  for (auto& label : labels_)
+    if (label != kUnlabelled && planes_[static_cast<std::size_t>(label)].segments < parameters_.min_segments)
+      label = kUnlabelled;
+}
+
+PlaneClustering::Segment PlaneClustering::makeSegment(const LineSegment& line_segment) const {
+  const auto depth = [this](const Eigen::Vector3d& p) {
+    return projection_ == Projection::Perspective ? p.z() : p.norm();
+  };
+  Segment segment;
+  segment.a = line_segment.a;
+  segment.b = line_segment.b;
+  const double depth_a = depth(segment.a);
+  const double depth_b = depth(segment.b);
+  segment.ray_a = segment.a / depth_a;
+  segment.ray_b = segment.b / depth_b;
+  const double sigma_a = sensor_.sigmaZ(depth_a);
+  const double sigma_b = sensor_.sigmaZ(depth_b);
+  segment.sensor_variance_a = sigma_a * sigma_a;
+  segment.sensor_variance_b = sigma_b * sigma_b;
+  segment.variance = line_segment.prototype.variance;
+  segment.reach = parameters_.max_gap + sensor_.sigmaZ(0.5 * (depth_a + depth_b));
+  return segment;
+}
+
+// Eq. 23 with the variances of Table 2; the larger of the two endpoints decides.
+double PlaneClustering::cost(const PlanePrototype& plane, const Segment& segment) const {
+  const PlaneCriterion form = parameters_.criterion;
+  const bool with_sensor = form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSensor;
+  const bool with_segment = form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSegment;
+  const auto endpoint_cost = [&](const Eigen::Vector3d& h, const Eigen::Vector3d& ray, double sensor_variance) {
+    const double d = plane.distance(h);
+    const double q = plane.normal.dot(ray);
+    double variance = plane.variance;
+    if (with_sensor) variance += sensor_variance * q * q;
+    if (with_segment) variance += segment.variance;
+    return d * d / std::max(variance, 1e-18);
+  };
+  return std::max(endpoint_cost(segment.a, segment.ray_a, segment.sensor_variance_a),
+                  endpoint_cost(segment.b, segment.ray_b, segment.sensor_variance_b));
+}
+
+// Labelled segments of the nearest earlier scan line that has one that fits; the best cost wins.
+int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
+  const double limit = parameters_.k_max * parameters_.k_max;
+  const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.look_back));
+  for (std::size_t back = 1; back <= look_back; ++back) {
+    const Line& previous = lines_[line - back];
+    double best_cost = limit;
+    int best = kUnlabelled;
+    for (std::size_t j = previous.begin; j < previous.end; ++j) {
+      if (labels_[j] == kUnlabelled) continue;
+      const double c = cost(planes_[static_cast<std::size_t>(labels_[j])], segment);
+      if (c >= best_cost) continue;
+      const Segment& neighbour = segments_[j];
+      if (squaredSegmentDistance(segment.a, segment.b, neighbour.a, neighbour.b) > segment.reach * segment.reach)
+        continue;
+      best_cost = c;
+      best = labels_[j];
+    }
+    if (best != kUnlabelled) return best;
+  }
+  return kUnlabelled;
+}
+
+// The unlabelled earlier segment that is most nearly coplanar with this one.
+std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t line) const {
+  const double smallest_cosine = std::cos(parameters_.max_start_angle * M_PI / 180.0);
+  const Eigen::Vector3d direction = (segment.b - segment.a).normalized();
+  const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.pair_look_back));
+  double best_ratio = 0.25 * parameters_.k_max * parameters_.k_max;
+  std::size_t best = kNone;
+  for (std::size_t back = 1; back <= look_back; ++back) {
+    const Line& previous = lines_[line - back];
+    for (std::size_t j = previous.begin; j < previous.end; ++j) {
+      if (labels_[j] != kUnlabelled) continue;
+      const Segment& partner = segments_[j];
+      const Eigen::Vector3d partner_vector = partner.b - partner.a;
+      if (std::abs(direction.dot(partner_vector.normalized())) < smallest_cosine) continue;
+      const Eigen::Vector3d normal = partner_vector.cross(segment.a - partner.a).normalized();
+      const double d = (segment.b - partner.a).dot(normal);
+      const double q = normal.dot(segment.ray_b);
+      const double ratio = d * d / std::max(segment.sensor_variance_b * q * q + segment.variance, 1e-18);
+      if (ratio > best_ratio || (best != kNone && ratio >= best_ratio)) continue;
+      if (squaredSegmentDistance(segment.a, segment.b, partner.a, partner.b) > segment.reach * segment.reach) continue;
+      best_ratio = ratio;
+      best = j;
+    }
+  }
+  return best;
+}
+
+void PlaneClustering::addToPlane(int plane, const Segment& segment) {
+  PlanePrototype& prototype = planes_[static_cast<std::size_t>(plane)];
+  prototype.add(segment.a);
+  prototype.add(segment.b);
+  prototype.refit();
+  ++prototype.segments;
+}
+
+// All four endpoints count alike: there is no prototype yet to take distances to.
+void PlaneClustering::startPlane(std::size_t first, std::size_t second) {
+  PlanePrototype prototype;
+  for (const std::size_t i : {first, second}) {
+    prototype.statistics.add(segments_[i].a);
+    prototype.statistics.add(segments_[i].b);
+    labels_[i] = static_cast<int>(planes_.size());
+  }
+  prototype.refit();
+  prototype.segments = 2;
+  planes_.push_back(prototype);
+}
+
+}  // namespace epcc

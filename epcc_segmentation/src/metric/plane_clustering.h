@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Algorithm 2: one pass over the scan lines clusters their line segments into planes.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/parameters.h"
+#include "epcc_segmentation/sensor_model.h"
+#include "metric/line_clustering.h"
+#include "metric/recursive_statistics.h"
+
+namespace epcc {
+
+/// Plane prototype: recursive statistics of segment endpoints (Eqs. 12, 25, 26), sigma_j^2 and unit normal.
+struct PlanePrototype {
+  RecursiveStatistics<3> statistics;
+  double variance = 0.0;       ///< sigma_j^2 = smallest eigenvalue of Sigma_j
+  double mean_distance = 0.0;  ///< mu_jd of Eq. 26, running mean of the endpoints' distances
+  int distances = 0;
+  int segments = 0;
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+
+  double distance(const Eigen::Vector3d& p) const { return (p - statistics.mean).dot(normal); }
+  /// Takes an endpoint, weighted by Eq. 26 with the distance to the prototype before the update.
+  void add(const Eigen::Vector3d& endpoint);
+  /// Normal and sigma_j^2 from the covariance.
+  void refit();
+};
+
+/// Algorithm 2 as an object that is fed the segments of one scan line at a time, in order.
+class PlaneClustering {
+ public:
+  static constexpr int kUnlabelled = -1;
+
+  PlaneClustering(const PlaneClusteringParameters& parameters, const SensorModel& sensor, Projection projection);
+
+  /// Forgets everything.
+  void begin();
+  /// Clusters the segments of the next scan line.
+  void addLine(const std::vector<LineSegment>& segments);
+  /// Drops small planes. Afterwards labels() are final.
+  void finish();
+
+  /// Label of each segment fed so far, in order of feeding: index into planes() or kUnlabelled.
+  const std::vector<int>& labels() const { return labels_; }
+  const std::vector<PlanePrototype>& planes() const { return planes_; }
+
+ private:
+  struct Segment {
+    Eigen::Vector3d a, b;
+    Eigen::Vector3d ray_a, ray_b;                 // endpoint / measured depth
+    double sensor_variance_a, sensor_variance_b;  // sigma_z^2 at the endpoints
+    double variance;                              // sigma_seg^2
+    double reach;                                 // d_1 + sigma_z, Eq. 27
+  };
+  struct Line {
+    std::size_t begin, end;  // segments
+  };
+
+  Segment makeSegment(const LineSegment& line_segment) const;
+  double cost(const PlanePrototype& plane, const Segment& segment) const;
+  int bestPlane(const Segment& segment, std::size_t line) const;
+  std::size_t startPartner(const Segment& segment, std::size_t line) const;
+  void addToPlane(int plane, const Segment& segment);
+  void startPlane(std::size_t first, std::size_t second);
+
+  PlaneClusteringParameters parameters_;
+  SensorModel sensor_;
+  Projection projection_;
+  std::vector<Segment> segments_;
+  std::vector<int> labels_;
+  std::vector<Line> lines_;
+  std::vector<PlanePrototype> planes_;
+};
+
+}  // namespace epcc

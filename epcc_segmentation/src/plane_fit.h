@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Least-squares planes of the labelled pixels.
+#pragma once
+
+#include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/plane_segmentation.h"
+#include "epcc_segmentation/sensor_model.h"
+
+namespace epcc {
+
+/// Fills segmentation.planes from its labels 1..plane_count: orthogonal least squares, each point weighted by
+/// 1 / sigma_z^2. Then sorts planes and labels by pixel count, largest first, and drops labels without pixels.
+void fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count, PlaneSegmentation& segmentation);
+
+}  // namespace epcc
