@@ -26,9 +26,9 @@ double secondsSince(std::chrono::steady_clock::time_point& start) {
 
 /// Memory kept from frame to frame.
 struct PlaneExtractor::Workspace {
-  std::vector<ScanLine> scan_lines;          // one a thread
-  std::vector<LineClustering> clusterings;   // one a thread
-  std::vector<LineSegments> line_segments;   // one a scan line
+  std::vector<ScanLine> scan_lines;         // one a thread
+  std::vector<LineClustering> clusterings;  // one a thread
+  std::vector<LineSegments> line_segments;  // one a scan line
 
   /// Algorithm 1 on every scan line.
   void clusterLines(const DepthFrame& view, const SensorModel& sensor, const Parameters& parameters) {

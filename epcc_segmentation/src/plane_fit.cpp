@@ -59,8 +59,7 @@ Plane planeOf(const PointMoments& moments, const SensorModel& sensor) {
   plane.points_covariance = moments.squares / n - mean * mean.transpose();
 
   const Eigen::Vector3d weighted_mean = moments.weighted_sum / moments.weight;
-  const Eigen::Matrix3d scatter =
-      moments.weighted_squares - moments.weight * weighted_mean * weighted_mean.transpose();
+  const Eigen::Matrix3d scatter = moments.weighted_squares - moments.weight * weighted_mean * weighted_mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   Eigen::Vector3d normal = solver.eigenvectors().col(0);
   const Eigen::Vector3d centre = moments.origin + weighted_mean;

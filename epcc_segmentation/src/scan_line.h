@@ -12,10 +12,10 @@ namespace epcc {
 
 /// A valid sample of a scan line.
 struct ScanSample {
-  Eigen::Vector2d t;      ///< (t1, t2): distance in the across-forward plane, coordinate along the line; metres
-  Eigen::Vector2d ray;    ///< t divided by the measured depth
+  Eigen::Vector2d t;       ///< (t1, t2): distance in the across-forward plane, coordinate along the line; metres
+  Eigen::Vector2d ray;     ///< t divided by the measured depth
   double sensor_variance;  ///< sigma_z^2 at the measured depth, m^2
-  int position;           ///< pixel position along the scan line
+  int position;            ///< pixel position along the scan line
 };
 
 /// A scan line: the plane it lies in and its valid samples in order. Invalid pixels are skipped, they end nothing.
@@ -25,9 +25,7 @@ struct ScanLine {
   std::vector<ScanSample> samples;
 
   /// Point of the scan frame, Eqs. 3-8 inverted: z = t1 / sqrt(1 + u^2), x = u z, y = t2.
-  Eigen::Vector3d lift(const Eigen::Vector2d& t) const {
-    return {t.x() * direction.x(), t.y(), t.x() * direction.z()};
-  }
+  Eigen::Vector3d lift(const Eigen::Vector2d& t) const { return {t.x() * direction.x(), t.y(), t.x() * direction.z()}; }
 };
 
 /// Fills `line` with column `column` of the frame; its memory is reused.

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Algorithm 2 step by step on made segments.
+#include "metric/plane_clustering.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using epcc::LineSegment;
+using epcc::PlaneClustering;
+using epcc::PlaneClusteringParameters;
+using epcc::PlaneCriterion;
+using epcc::Projection;
+using epcc::SensorModel;
+
+/// A vertical segment of the plane z = depth at the lateral position x.
+LineSegment vertical(double x, double depth, double low = -0.5, double high = 0.5) {
+  LineSegment segment;
+  segment.a = {x, low, depth};
+  segment.b = {x, high, depth};
+  return segment;
+}
+
+class PlaneClusteringTest : public ::testing::Test {
+ protected:
+  PlaneClusteringTest() { parameters_.min_segments = 1; }
+  PlaneClustering make() const {
+    PlaneClustering clustering(parameters_, SensorModel::axial(0.002, 0.0), Projection::Perspective);
+    clustering.begin();
+    return clustering;
+  }
+  PlaneClusteringParameters parameters_;
+};
+
+TEST_F(PlaneClusteringTest, CoplanarSegmentsBecomeOnePlane) {
+  auto clustering = make();
+  for (int i = 0; i < 20; ++i) clustering.addLine({vertical(0.01 * i, 2.0)});
+  clustering.finish();
+  for (const int label : clustering.labels()) EXPECT_EQ(label, 0);
+  ASSERT_EQ(clustering.planes().size(), 1u);
+  EXPECT_NEAR(std::abs(clustering.planes()[0].normal.z()), 1.0, 1e-9);
+  EXPECT_EQ(clustering.planes()[0].segments, 20);
+}
+
+TEST_F(PlaneClusteringTest, PlanesFewerThanMinSegmentsAreDropped) {
+  parameters_.min_segments = 15;
+  for (const int count : {14, 15}) {
+    auto clustering = make();
+    for (int i = 0; i < count; ++i) clustering.addLine({vertical(0.01 * i, 2.0)});
+    clustering.finish();
+    for (const int label : clustering.labels()) EXPECT_EQ(label, count < 15 ? PlaneClustering::kUnlabelled : 0);
+  }
+}
+
+TEST_F(PlaneClusteringTest, ALineWithoutSegmentsDoesNotEndASurface) {
+  for (const int empty : {1, 3, 4}) {
+    auto clustering = make();
+    for (int i = 0; i < 10; ++i) clustering.addLine({vertical(0.01 * i, 2.0)});
+    for (int i = 0; i < empty; ++i) clustering.addLine({});
+    clustering.addLine({vertical(0.15, 2.0)});
+    clustering.finish();
+    // Look-back 4: three empty lines are bridged, four are not.
+    EXPECT_EQ(clustering.labels().back(), empty <= 3 ? 0 : PlaneClustering::kUnlabelled) << empty;
+  }
+}
+
+TEST_F(PlaneClusteringTest, GapBeyondD1PlusSigmaSeparatesCoplanarSegments) {
+  const double reach = parameters_.max_gap + 0.002;
+  for (const double gap : {reach - 0.001, reach + 0.001}) {
+    auto clustering = make();
+    for (int i = 0; i < 10; ++i) clustering.addLine({vertical(0.01 * i, 2.0)});
+    clustering.addLine({vertical(0.09 + gap, 2.0)});
+    clustering.finish();
+    EXPECT_EQ(clustering.labels().back(), gap < reach ? 0 : PlaneClustering::kUnlabelled) << gap;
+  }
+}
+
+TEST_F(PlaneClusteringTest, AStepBeyondTheNoiseStartsItsOwnPlane) {
+  auto clustering = make();
+  for (int i = 0; i < 20; ++i) clustering.addLine({vertical(0.01 * i, i < 10 ? 2.0 : 2.05)});
+  clustering.finish();
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(clustering.labels()[i], i < 10 ? 0 : 1) << i;
+}
+
+TEST_F(PlaneClusteringTest, SegmentsOfDifferentDirectionStartNothing) {
+  auto clustering = make();
+  LineSegment tilted = vertical(0.01, 2.0);
+  tilted.b.x() += std::tan(25.0 * M_PI / 180.0);  // 25 degrees within the plane; the limit is 20
+  clustering.addLine({vertical(0.0, 2.0)});
+  clustering.addLine({tilted});
+  EXPECT_TRUE(clustering.planes().empty());
+}
+
+TEST_F(PlaneClusteringTest, UnlabelledSegmentsOlderThanTwoLinesAreOutliers) {
+  for (const int empty : {1, 2}) {
+    auto clustering = make();
+    clustering.addLine({vertical(0.0, 2.0)});
+    for (int i = 0; i < empty; ++i) clustering.addLine({});
+    clustering.addLine({vertical(0.03, 2.0)});
+    EXPECT_EQ(clustering.planes().size(), empty == 1 ? 1u : 0u) << empty;
+  }
+}
+
+TEST_F(PlaneClusteringTest, TheBestOfTwoFittingPlanesWins) {
+  auto clustering = make();
+  for (int i = 0; i < 10; ++i)
+    clustering.addLine({vertical(0.01 * i, 2.0, -0.5, 0.0), vertical(0.01 * i, 2.008, 0.01, 0.5)});
+  ASSERT_EQ(clustering.planes().size(), 2u);
+  clustering.addLine({vertical(0.1, 2.0045, -0.2, 0.2)});
+  EXPECT_EQ(clustering.labels().back(), 1);
+}
+
+TEST_F(PlaneClusteringTest, TheFourCriteriaOfTable2DifferByTheirVariances) {
+  // An offset of 5 mm: inside 3 sigma_z = 6 mm, or inside sigma_seg = 4 mm, but not inside sigma_j = 0.
+  const auto joins = [this](PlaneCriterion criterion, double segment_sigma) {
+    parameters_.criterion = criterion;
+    auto clustering = make();
+    for (int i = 0; i < 10; ++i) clustering.addLine({vertical(0.01 * i, 2.0)});
+    LineSegment next = vertical(0.1, 2.005);
+    next.prototype.variance = segment_sigma * segment_sigma;
+    clustering.addLine({next});
+    return clustering.labels().back() == 0;
+  };
+  EXPECT_TRUE(joins(PlaneCriterion::PrototypeSensorSegment, 0.0));
+  EXPECT_TRUE(joins(PlaneCriterion::PrototypeSensor, 0.0));
+  EXPECT_FALSE(joins(PlaneCriterion::PrototypeSegment, 0.0));
+  EXPECT_TRUE(joins(PlaneCriterion::PrototypeSegment, 0.004));
+  EXPECT_FALSE(joins(PlaneCriterion::Prototype, 0.004));
+}
+
+TEST(PlanePrototype, WeightsFollowTheRunningMeanDistance) {
+  epcc::PlanePrototype prototype;
+  for (const auto& p :
+       {Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(1, 0, 2), Eigen::Vector3d(0, 1, 2), Eigen::Vector3d(1, 1, 2)})
+    prototype.statistics.add(p);
+  prototype.refit();
+  auto weighted = prototype;
+  auto plain = prototype;
+  weighted.add({0.5, 0.5, 2.3});
+  plain.statistics.add({0.5, 0.5, 2.3});
+  EXPECT_NEAR(weighted.mean_distance, 0.3, 1e-12);
+  // The first distance is its own mean: weight exp(-1).
+  EXPECT_NEAR(weighted.statistics.covariance(2, 2), std::exp(-1.0) * plain.statistics.covariance(2, 2), 1e-12);
+  EXPECT_EQ(weighted.statistics.mean, plain.statistics.mean);
+}
+
+TEST(PlanePrototype, AnEndpointOnThePlaneDividesNothingByZero) {
+  epcc::PlanePrototype prototype;
+  for (const auto& p : {Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(1, 0, 2), Eigen::Vector3d(0, 1, 2)})
+    prototype.statistics.add(p);
+  prototype.refit();
+  prototype.add({1, 1, 2});
+  prototype.refit();
+  EXPECT_TRUE(prototype.statistics.covariance.allFinite());
+  EXPECT_TRUE(prototype.normal.allFinite());
+}
+
+}  // namespace

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole pipeline: rendered rooms, laws (transposition, scale, repetition, threads) and bad input.
+#include "epcc_segmentation/plane_extractor.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+
+#include "support/rendered_room.h"
+
+namespace {
+
+using epcc::DepthFrame;
+using epcc::Parameters;
+using epcc::PlaneExtractor;
+using epcc::PlaneSegmentation;
+using epcc::ScanDirection;
+using epcc::SensorModel;
+using epcc::test::RenderedRoom;
+
+RenderedRoom noisyRoom(unsigned seed = 1, int width = 160, int height = 120) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
+  epcc::test::addNoise(room, SensorModel(), seed);
+  return room;
+}
+
+PlaneSegmentation extract(const DepthFrame& frame, const Parameters& parameters = {},
+                          const SensorModel& sensor = SensorModel()) {
+  PlaneExtractor extractor(parameters, sensor);
+  PlaneSegmentation result;
+  EXPECT_TRUE(extractor.extract(frame, result)) << extractor.error();
+  return result;
+}
+
+/// Share of the pixels of true plane `truth` that carry the label most of them have.
+double coverage(const RenderedRoom& room, const PlaneSegmentation& result, std::int32_t truth) {
+  std::map<std::int32_t, long> counts;
+  long total = 0;
+  for (std::size_t i = 0; i < room.labels.size(); ++i)
+    if (room.labels[i] == truth) {
+      ++total;
+      if (result.labels[i] > 0) ++counts[result.labels[i]];
+    }
+  long most = 0;
+  for (const auto& [label, count] : counts) most = std::max(most, count);
+  return static_cast<double>(most) / static_cast<double>(total);
+}
+
+TEST(PlaneExtractor, ExactRoomIsItsThreePlanes) {
+  const auto planes = epcc::test::cornerPlanes();
+  const auto room = epcc::test::renderRoom(planes, epcc::test::testCamera());
+  for (const ScanDirection scan : {ScanDirection::Columns, ScanDirection::Rows}) {
+    Parameters parameters;
+    parameters.scan = scan;
+    const auto result = extract(room.frame(), parameters, *SensorModel::preset("rendered"));
+    ASSERT_EQ(result.planes.size(), 3u);
+    for (std::int32_t truth = 1; truth <= 3; ++truth) EXPECT_GT(coverage(room, result, truth), 0.95) << truth;
+    for (const auto& plane : result.planes) {
+      double nearest = 1e9;
+      for (const auto& truth : planes) nearest = std::min(nearest, (plane.coefficients - truth).norm());
+      EXPECT_LT(nearest, 0.01);
+    }
+  }
+}
+
+TEST(PlaneExtractor, NoisyRoomIsItsThreePlanes) {
+  int exact_count = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const auto room = noisyRoom(seed, 320, 240);
+    const auto result = extract(room.frame());
+    exact_count += result.planes.size() == 3 ? 1 : 0;
+    for (std::int32_t truth = 1; truth <= 3; ++truth)
+      EXPECT_GT(coverage(room, result, truth), 0.85) << "plane " << truth << " seed " << seed;
+  }
+  EXPECT_GE(exact_count, 8);
+}
+
+TEST(PlaneExtractor, TransposingTheImageAndSwappingTheScanTransposesTheLabels) {
+  const auto room = noisyRoom();
+  const auto& camera = room.camera;
+  RenderedRoom transposed;
+  transposed.camera = {camera.height, camera.width, camera.fy, camera.fx, camera.cy, camera.cx};
+  for (int column = 0; column < camera.width; ++column)
+    for (int row = 0; row < camera.height; ++row)
+      transposed.depth.push_back(room.depth[static_cast<std::size_t>(row * camera.width + column)]);
+  for (const bool by_rows : {false, true}) {
+    Parameters parameters, swapped;
+    (by_rows ? parameters : swapped).scan = ScanDirection::Rows;
+    const auto result = extract(room.frame(), parameters);
+    const auto result_transposed = extract(transposed.frame(), swapped);
+    ASSERT_GT(result.planes.size(), 0u);
+    ASSERT_EQ(result.planes.size(), result_transposed.planes.size());
+    for (int row = 0; row < camera.height; ++row)
+      for (int column = 0; column < camera.width; ++column)
+        ASSERT_EQ(result.labels[static_cast<std::size_t>(row * camera.width + column)],
+                  result_transposed.labels[static_cast<std::size_t>(column * camera.height + row)]);
+    const Eigen::Vector4d n = result.planes[0].coefficients;
+    const Eigen::Vector4d m = result_transposed.planes[0].coefficients;
+    EXPECT_LT((n - Eigen::Vector4d(m.y(), m.x(), m.z(), m.w())).norm(), 1e-9);
+  }
+}
+
+TEST(PlaneExtractor, ScalingDepthNoiseAndGapTogetherKeepsTheLabels) {
+  const auto room = noisyRoom();
+  Parameters parameters;
+  const auto result = extract(room.frame(), parameters);
+  RenderedRoom scaled = room;
+  const float s = 4.0f;
+  for (float& z : scaled.depth) z *= s;
+  parameters.plane.max_gap *= s;
+  // sigma(s z) = s (k1 z^2 + k2 z + k3)
+  const auto sensor = SensorModel::polynomial(0.006954 / s, -0.003713, 0.001153 * s, 2.0);
+  const auto scaled_result = extract(scaled.frame(), parameters, sensor);
+  ASSERT_GT(result.planes.size(), 0u);
+  EXPECT_EQ(result.labels, scaled_result.labels);
+}
+
+TEST(PlaneExtractor, TwoCallsOnOneObjectGiveTheSameBits) {
+  const auto room = noisyRoom(1);
+  const auto other = noisyRoom(2, 90, 70);
+  PlaneExtractor extractor;
+  PlaneSegmentation first, second;
+  ASSERT_TRUE(extractor.extract(room.frame(), first));
+  ASSERT_TRUE(extractor.extract(other.frame(), second));
+  ASSERT_TRUE(extractor.extract(room.frame(), second));
+  EXPECT_EQ(first.labels, second.labels);
+  ASSERT_EQ(first.planes.size(), second.planes.size());
+  for (std::size_t i = 0; i < first.planes.size(); ++i) {
+    EXPECT_EQ(first.planes[i].coefficients, second.planes[i].coefficients);
+    EXPECT_EQ(first.planes[i].coefficients_covariance, second.planes[i].coefficients_covariance);
+  }
+}
+
+TEST(PlaneExtractor, TheNumberOfThreadsChangesNothing) {
+  const auto room = noisyRoom();
+  const auto one = extract(room.frame());
+  for (const int threads : {2, 3, 200}) {
+    Parameters parameters;
+    parameters.threads = threads;
+    EXPECT_EQ(extract(room.frame(), parameters).labels, one.labels) << threads;
+  }
+}
+
+TEST(PlaneExtractor, CloudOfTheSamePointsGivesTheSameLabels) {
+  const auto room = noisyRoom();
+  std::vector<float> xyz;
+  Eigen::Vector3d p;
+  for (int row = 0; row < room.camera.height; ++row)
+    for (int column = 0; column < room.camera.width; ++column) {
+      ASSERT_TRUE(room.frame().point(row, column, p));
+      for (int k = 0; k < 3; ++k) xyz.push_back(static_cast<float>(p(k)));
+    }
+  const auto cloud =
+      DepthFrame::fromPoints(xyz.data(), 3, room.camera.width, room.camera.height, epcc::Projection::Perspective);
+  const auto a = extract(room.frame()).labels;
+  const auto b = extract(cloud).labels;
+  long differ = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) differ += a[i] != b[i] ? 1 : 0;
+  EXPECT_LT(differ, static_cast<long>(a.size()) / 1000);  // single precision points
+}
+
+TEST(PlaneExtractor, MaskedPixelsAreNeverLabelled) {
+  const auto room = noisyRoom();
+  std::vector<std::uint8_t> mask(room.depth.size());
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = room.labels[i] == 2 ? 0 : 1;
+  const auto result = extract(room.frame().masked(mask.data()));
+  EXPECT_EQ(result.planes.size(), 2u);
+  for (std::size_t i = 0; i < mask.size(); ++i) ASSERT_TRUE(mask[i] == 1 || result.labels[i] == 0);
+}
+
+TEST(PlaneExtractor, MinPointsDropsSmallPlanes) {
+  const auto room = noisyRoom();
+  const auto all = extract(room.frame());
+  ASSERT_GE(all.planes.size(), 3u);
+  Parameters parameters;
+  parameters.plane.min_points = static_cast<int>(all.planes[0].pixel_count);
+  const auto result = extract(room.frame(), parameters);
+  ASSERT_EQ(result.planes.size(), 1u);
+  EXPECT_EQ(result.planes[0].pixel_count, all.planes[0].pixel_count);
+}
+
+TEST(PlaneExtractor, FramesWithoutPlanesAreNoError) {
+  const auto camera = epcc::test::testCamera(32, 24);
+  for (const float value :
+       {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    const std::vector<float> depth(32 * 24, value);
+    const auto result = extract(DepthFrame::fromDepth(depth.data(), camera));
+    EXPECT_TRUE(result.planes.empty());
+    EXPECT_EQ(result.labels, std::vector<std::int32_t>(32 * 24, 0));
+  }
+}
+
+TEST(PlaneExtractor, OneRowAndOneColumnHaveNoPlane) {
+  const std::vector<float> depth(500, 2.0f);
+  EXPECT_TRUE(extract(DepthFrame::fromDepth(depth.data(), {500, 1, 400.0, 400.0, 250.0, 0.0})).planes.empty());
+  EXPECT_TRUE(extract(DepthFrame::fromDepth(depth.data(), {1, 500, 400.0, 400.0, 0.0, 250.0})).planes.empty());
+}
+
+TEST(PlaneExtractor, HugeAndTinyDepthsStayFinite) {
+  auto room = noisyRoom();
+  for (std::size_t i = 0; i < room.depth.size(); i += 7) room.depth[i] = i % 2 == 0 ? 3e38f : 1e-38f;
+  const auto result = extract(room.frame());
+  for (const auto& plane : result.planes) EXPECT_TRUE(plane.coefficients.allFinite());
+}
+
+TEST(PlaneExtractor, BadInputIsNamedAndClearsTheResult) {
+  const auto room = noisyRoom();
+  PlaneSegmentation result = extract(room.frame());
+  ASSERT_FALSE(result.planes.empty());
+
+  Parameters invalid;
+  invalid.line.k_max = -1.0;
+  PlaneExtractor wrong(invalid);
+  EXPECT_FALSE(wrong.extract(room.frame(), result));
+  EXPECT_NE(wrong.error().find("k_max"), std::string::npos);
+  EXPECT_TRUE(result.planes.empty());
+  EXPECT_EQ(result.labels, std::vector<std::int32_t>(room.depth.size(), 0));
+
+  PlaneExtractor bad_sensor(Parameters(), SensorModel::axial(-1.0, 0.0));
+  EXPECT_FALSE(bad_sensor.extract(room.frame(), result));
+  EXPECT_FALSE(bad_sensor.error().empty());
+
+  PlaneExtractor extractor;
+  EXPECT_FALSE(extractor.extract(DepthFrame::fromDepth(nullptr, room.camera), result));
+  EXPECT_NE(extractor.error().find("empty"), std::string::npos);
+  EXPECT_TRUE(extractor.extract(room.frame(), result));
+  EXPECT_TRUE(extractor.error().empty());
+
+  Parameters rows;
+  rows.scan = ScanDirection::Rows;
+  PlaneExtractor by_rows(rows);
+  const std::vector<float> cloud(300, 1.0f);
+  EXPECT_FALSE(by_rows.extract(DepthFrame::fromPoints(cloud.data(), 3, 10, 10, epcc::Projection::Spherical), result));
+  EXPECT_NE(by_rows.error().find("spherical"), std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Least-squares planes: exact data, order, and a covariance that predicts the scatter of repeated fits.
+#include "plane_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "support/rendered_room.h"
+
+namespace {
+
+using epcc::PlaneSegmentation;
+using epcc::SensorModel;
+
+PlaneSegmentation fitted(const epcc::test::RenderedRoom& room, const SensorModel& sensor, int planes) {
+  PlaneSegmentation segmentation;
+  segmentation.width = room.camera.width;
+  segmentation.height = room.camera.height;
+  segmentation.labels = room.labels;
+  epcc::fitPlanes(room.frame(), sensor, planes, segmentation);
+  return segmentation;
+}
+
+TEST(PlaneFit, ExactRoomGivesItsPlanesSortedBySize) {
+  const auto planes = epcc::test::cornerPlanes();
+  const auto room = epcc::test::renderRoom(planes, epcc::test::testCamera());
+  const auto result = fitted(room, SensorModel::preset("rendered").value(), 3);
+  ASSERT_EQ(result.planes.size(), 3u);
+  for (std::size_t i = 0; i < result.labels.size(); ++i) {
+    const auto& plane = result.planes[static_cast<std::size_t>(result.labels[i] - 1)];
+    const auto& truth = planes[static_cast<std::size_t>(room.labels[i] - 1)];
+    ASSERT_LT((plane.coefficients - truth).norm(), 1e-5);
+    ASSERT_GT(plane.coefficients(3), 0.0);
+    ASSERT_NEAR(plane.coefficients.head<3>().norm(), 1.0, 1e-12);
+    ASSERT_LT(plane.rms, 1e-6);
+  }
+  for (std::size_t k = 1; k < 3; ++k) EXPECT_GE(result.planes[k - 1].pixel_count, result.planes[k].pixel_count);
+}
+
+TEST(PlaneFit, LabelsWithoutPixelsDisappear) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  for (auto& label : room.labels) label *= 3;  // ids 3, 6, 9 of nine
+  const auto result = fitted(room, SensorModel(), 9);
+  EXPECT_EQ(result.planes.size(), 3u);
+  EXPECT_EQ(*std::max_element(result.labels.begin(), result.labels.end()), 3);
+}
+
+TEST(PlaneFit, CentroidAndPointCovarianceAreThoseOfThePoints) {
+  const auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera(40, 30));
+  const auto result = fitted(room, SensorModel(), 1);
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero(), p;
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  const auto each = [&](const auto& visit) {
+    for (int row = 0; row < 30; ++row)
+      for (int column = 0; column < 40; ++column)
+        if (room.frame().point(row, column, p)) visit();
+  };
+  each([&] { mean += p / 1200.0; });
+  each([&] { squares += (p - mean) * (p - mean).transpose() / 1200.0; });
+  EXPECT_EQ(result.planes[0].pixel_count, 1200u);
+  EXPECT_LT((result.planes[0].centroid - mean).norm(), 1e-9);
+  EXPECT_LT((result.planes[0].points_covariance - squares).norm(), 1e-9);
+}
+
+TEST(PlaneFit, CovariancePredictsTheScatterOfRepeatedFits) {
+  const SensorModel white = SensorModel::axial(0.005, 0.0, 0.1);  // one pixel a sample
+  const int runs = 200;
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  Eigen::Vector4d squares = Eigen::Vector4d::Zero();
+  Eigen::Vector4d predicted = Eigen::Vector4d::Zero();
+  for (int run = 0; run < runs; ++run) {
+    auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera(40, 30));
+    epcc::test::addNoise(room, white, static_cast<unsigned>(run));
+    const auto plane = fitted(room, white, 1).planes[0];
+    sum += plane.coefficients;
+    squares += plane.coefficients.cwiseAbs2();
+    predicted += plane.coefficients_covariance.diagonal() / runs;
+  }
+  const Eigen::Vector4d variance = (squares - sum.cwiseAbs2() / runs) / (runs - 1);
+  for (const int k : {0, 1, 3}) EXPECT_NEAR(variance(k) / predicted(k), 1.0, 0.3) << k;
+}
+
+TEST(PlaneFit, Equation28ProjectsOnThePlane) {
+  epcc::Plane plane;
+  plane.coefficients << 0.0, 0.6, -0.8, 2.0;
+  const Eigen::Vector3d p(0.3, -0.2, 2.0);
+  const Eigen::Vector3d q = plane.project(p);
+  EXPECT_NEAR(plane.signedDistance(q), 0.0, 1e-12);
+  EXPECT_NEAR((p - q).cross(plane.coefficients.head<3>()).norm(), 0.0, 1e-12);
+}
+
+}  // namespace
