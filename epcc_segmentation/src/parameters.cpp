@@ -45,8 +45,52 @@ std::string PlaneClusteringParameters::validate() const {
                   checkRange("plane.min_points", min_points, 0, 1000000000)});
 }
 
+std::string LineGrowingParameters::validate() const {
+  return firstOf({checkRange("line_growing.k_max", k_max, kSmallest, 100.0),
+                  checkRange("line_growing.min_samples", min_samples, 3, 100),
+                  checkRange("line_growing.max_gap_pixels", max_gap_pixels, 0, 1000)});
+}
+
+std::string PlaneGrowingParameters::validate() const {
+  return firstOf({checkRange("plane_growing.k_max", k_max, kSmallest, 100.0),
+                  checkRange("plane_growing.min_overlap_pixels", min_overlap_pixels, 1, 1000),
+                  checkRange("plane_growing.max_prediction", max_prediction, 0.0, 1e6),
+                  checkRange("plane_growing.min_points", min_points, 1, 1000000),
+                  checkRange("plane_growing.min_segments", min_segments, 1, 1000000)});
+}
+
+std::string MergingParameters::validate() const {
+  return firstOf({checkRange("merging.fragment_tolerance (c1)", fragment_tolerance, 0.0, 1e6),
+                  checkRange("merging.offset_tolerance (c2)", offset_tolerance, 0.0, 100.0),
+                  checkRange("merging.bridge_pixels", bridge_pixels, 0, 1000),
+                  checkRange("merging.min_contacts", min_contacts, 1, 1000000),
+                  checkRange("merging.min_samples", min_samples, 0.0, 1e6)});
+}
+
+std::string RefinementParameters::validate() const {
+  return firstOf({checkRange("refinement.passes", passes, 0, 1000),
+                  checkRange("refinement.max_residual", max_residual, kSmallest, 100.0),
+                  checkRange("refinement.flip_gain", flip_gain, 0.0, 100.0),
+                  checkRange("refinement.crease_passes", crease_passes, 0, 1000),
+                  checkRange("refinement.crease_vote_pixels", crease_vote_pixels, 1, 100),
+                  checkRange("refinement.crease_min_votes", crease_min_votes, 1, 1000000),
+                  checkRange("refinement.crease_agreement", crease_agreement, 0.5, 1.0),
+                  checkRange("refinement.crease_range", crease_range, 0.0, 100.0),
+                  checkRange("refinement.crease_slack", crease_slack, 0.0, 100.0)});
+}
+
+std::string EvidenceParameters::validate() const {
+  return firstOf({checkRange("evidence.min_points", min_points, 1, 1000000000),
+                  checkRange("evidence.min_samples", min_samples, 0.0, 1e6),
+                  checkRange("evidence.max_chi2", max_chi2, kSmallest, 1e6),
+                  checkRange("evidence.min_evidence", min_evidence, 0.0, 1e6)});
+}
+
 std::string Parameters::validate() const {
-  return firstOf({line.validate(), plane.validate(), checkRange("threads", threads, 1, 256)});
+  if (mode == Mode::Paper && scan == ScanDirection::Both) return "scan: the paper mode scans columns or rows, not both";
+  return firstOf({line.validate(), plane.validate(), line_growing.validate(), plane_growing.validate(),
+                  merging.validate(), refinement.validate(), evidence.validate(),
+                  checkRange("threads", threads, 1, 256)});
 }
 
 }  // namespace epcc

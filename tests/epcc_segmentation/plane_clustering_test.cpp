@@ -25,8 +25,8 @@ class PlaneClusteringTest : public ::testing::Test {
  protected:
   PlaneClusteringTest() { parameters_.min_segments = 1; }
   PlaneClustering make() const {
-    PlaneClustering clustering(parameters_, SensorModel::axial(0.002, 0.0), Projection::Perspective);
-    clustering.begin();
+    PlaneClustering clustering(parameters_, SensorModel::axial(0.002, 0.0));
+    clustering.begin(Projection::Perspective);
     return clustering;
   }
   PlaneClusteringParameters parameters_;

@@ -25,7 +25,7 @@ struct PinholeCamera {
 /// How the pixels of an organized measurement see the world.
 enum class Projection {
   Perspective,  ///< measured value z along the optical axis; columns and rows are planar sections
-  Spherical     ///< measured value range; columns (fixed azimuth about the z-up axis) are planar sections, rows are cones
+  Spherical  ///< measured value range; columns (fixed azimuth about the z-up axis) are planar sections, rows are cones
 };
 
 /// Non-owning view; the data must outlive it. Row-major. Cheap to copy.

@@ -7,7 +7,17 @@
 namespace epcc {
 
 /// Which lines of the image are the scan lines (Sec. 7.2).
-enum class ScanDirection { Columns, Rows };
+enum class ScanDirection {
+  Columns,
+  Rows,
+  Both  ///< default mode only: lines in both directions, a pixel takes the larger of its two planes
+};
+
+/// The two forms of the method.
+enum class Mode {
+  Default,  ///< inverse depth, made for the correlated error of real sensors
+  Paper     ///< metric sections, Algorithms 1 and 2 as published
+};
 
 /// The variances that make up the acceptance criterion of Algorithm 2 (Table 2).
 enum class PlaneCriterion {
@@ -58,11 +68,91 @@ struct PlaneClusteringParameters {
   std::string validate() const;
 };
 
+/// S1: samples of one scan line -> line segments in inverse depth (default mode).
+struct LineGrowingParameters {
+  /// A sample belongs to the line within k_max sigma_w. (0, 100]
+  double k_max = 1.5;
+  /// Rejected samples in a row that may start a new line. [3, 100]
+  int min_samples = 6;
+  /// A line ends after more missing or rejected pixels than this. [0, 1000]
+  int max_gap_pixels = 5;
+  std::string validate() const;
+};
+
+/// S2: line segments of neighbouring scan lines -> planes in inverse depth (default mode).
+struct PlaneGrowingParameters {
+  /// A segment joins a plane if T < k_max^2. (0, 100]
+  double k_max = 2.0;
+  /// Neighbouring segments overlap by at least so many pixels, and by half of the shorter. [1, 1000]
+  int min_overlap_pixels = 3;
+  /// Largest prediction variance of plane and line, in units of sigma_w^2. [0, 1e6]
+  double max_prediction = 9.0;
+  /// Planes smaller than this never reach the merge. [1, 1e6]
+  int min_points = 40;
+  int min_segments = 2;
+  std::string validate() const;
+};
+
+/// S4: merging of neighbouring regions (default mode).
+struct MergingParameters {
+  /// c1: tolerance for fragments, in independent samples. [0, 1e6]
+  double fragment_tolerance = 60.0;
+  /// c2: offset in sigma within which large faces are one surface. [0, 100]
+  double offset_tolerance = 1.5;
+  /// Regions are neighbours across at most so many unlabelled pixels ... [0, 1000]
+  int bridge_pixels = 25;
+  /// ... in at least so many places. [1, 1e6]
+  int min_contacts = 3;
+  /// Regions with fewer independent samples are dropped. [0, 1e6]
+  double min_samples = 3.0;
+  std::string validate() const;
+};
+
+/// S5: refinement of the borders (default mode). Residuals in sigma across the surface.
+struct RefinementParameters {
+  int passes = 12;
+  /// An unlabelled pixel joins a region within this residual. (0, 100]
+  double max_residual = 3.0;
+  /// A labelled pixel changes sides for a gain of this much. [0, 100]
+  double flip_gain = 0.3;
+  /// Passes in which creases are decided by geometry.
+  int crease_passes = 6;
+  /// Distance from the border at which the crease's kind is voted, pixels. [1, 100]
+  int crease_vote_pixels = 6;
+  int crease_min_votes = 5;
+  double crease_agreement = 0.7;
+  /// Largest residuals and plane difference at which a crease decides.
+  double crease_range = 4.0;
+  /// A crease may cost a pixel this much residual.
+  double crease_slack = 1.5;
+  std::string validate() const;
+};
+
+/// S7: what counts as a plane (default mode).
+struct EvidenceParameters {
+  int min_points = 150;
+  /// Smallest number of independent samples. [0, 1e6]
+  double min_samples = 2.0;
+  /// Largest mean squared residual in sigma^2 across the surface. (0, 1e6]
+  double max_chi2 = 4.0;
+  /// Independent samples a region needs, times max(0.5, chi^2). [0, 1e6]
+  double min_evidence = 8.0;
+  std::string validate() const;
+};
+
 /// Everything that steers a segmentation, but for the sensor model.
 struct Parameters {
+  Mode mode = Mode::Paper;
   ScanDirection scan = ScanDirection::Columns;
+  // Paper mode.
   LineClusteringParameters line;
   PlaneClusteringParameters plane;
+  // Default mode.
+  LineGrowingParameters line_growing;
+  PlaneGrowingParameters plane_growing;
+  MergingParameters merging;
+  RefinementParameters refinement;
+  EvidenceParameters evidence;
   /// Threads for the scan lines; the result does not depend on it. [1, 256]
   int threads = 1;
 

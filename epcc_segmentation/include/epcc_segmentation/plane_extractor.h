@@ -14,10 +14,12 @@ namespace epcc {
 
 /// Wall-clock seconds of the last extraction, by stage.
 struct StageTimes {
-  double lines = 0.0;   ///< scan lines -> line segments (Algorithm 1)
-  double planes = 0.0;  ///< line segments -> planes (Algorithm 2)
-  double result = 0.0;  ///< labels, least-squares planes
-  double total() const { return lines + planes + result; }
+  double read = 0.0;     ///< depth -> inverse depth (default mode)
+  double lines = 0.0;    ///< scan lines -> line segments (Algorithm 1, S1)
+  double planes = 0.0;   ///< line segments -> planes (Algorithm 2, S2)
+  double regions = 0.0;  ///< join, merge, refine, reject (S3 to S7, default mode)
+  double result = 0.0;   ///< labels, least-squares planes
+  double total() const { return read + lines + planes + regions + result; }
 };
 
 /// Segments frames into planes. Keeps its memory between frames; not for use from two threads at once.
@@ -41,6 +43,8 @@ class PlaneExtractor {
  private:
   struct Workspace;
   void prepare(const DepthFrame& frame, PlaneSegmentation& result);
+  int extractMetric(const DepthFrame& frame, PlaneSegmentation& result);
+  int extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result);
 
   Parameters parameters_;
   SensorModel sensor_;

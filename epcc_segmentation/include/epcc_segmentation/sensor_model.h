@@ -2,6 +2,7 @@
 // What is known of a depth sensor's error: its size sigma_z(z) and its correlation length.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -41,6 +42,11 @@ class SensorModel {
   }
   /// Standard deviation of the inverse depth, sigma_z / z^2, in 1/m.
   double sigmaInverseDepth(double z) const { return sigmaZ(z) / (z * z); }
+
+  /// True for the form of Eq. 22.
+  bool isPolynomial() const { return polynomial_; }
+  /// (k1, k2, k3) of the polynomial or (a, b, 0) of the axial form.
+  std::array<double, 3> coefficients() const { return {k_[0], k_[1], k_[2]}; }
 
   /// Radius l of the error's autocorrelation exp(-r^2 / (2 l^2)), in pixels of the given grid.
   double correlationLength() const { return correlation_length_; }

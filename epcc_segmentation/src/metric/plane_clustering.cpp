@@ -31,11 +31,11 @@ void PlanePrototype::refit() {
   variance = varianceAlong(statistics.covariance, normal);
 }
 
-PlaneClustering::PlaneClustering(const PlaneClusteringParameters& parameters, const SensorModel& sensor,
-                                 Projection projection)
-    : parameters_(parameters), sensor_(sensor), projection_(projection) {}
+PlaneClustering::PlaneClustering(const PlaneClusteringParameters& parameters, const SensorModel& sensor)
+    : parameters_(parameters), sensor_(sensor) {}
 
-void PlaneClustering::begin() {
+void PlaneClustering::begin(Projection projection) {
+  projection_ = projection;
   segments_.clear();
   labels_.clear();
   lines_.clear();

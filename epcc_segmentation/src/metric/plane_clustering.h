@@ -34,10 +34,10 @@ class PlaneClustering {
  public:
   static constexpr int kUnlabelled = -1;
 
-  PlaneClustering(const PlaneClusteringParameters& parameters, const SensorModel& sensor, Projection projection);
+  PlaneClustering(const PlaneClusteringParameters& parameters, const SensorModel& sensor);
 
-  /// Forgets everything.
-  void begin();
+  /// Forgets everything; `projection` is that of the lines to come.
+  void begin(Projection projection);
   /// Clusters the segments of the next scan line.
   void addLine(const std::vector<LineSegment>& segments);
   /// Drops small planes. Afterwards labels() are final.
@@ -68,7 +68,7 @@ class PlaneClustering {
 
   PlaneClusteringParameters parameters_;
   SensorModel sensor_;
-  Projection projection_;
+  Projection projection_ = Projection::Perspective;
   std::vector<Segment> segments_;
   std::vector<int> labels_;
   std::vector<Line> lines_;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// S7: regions that are too small, too rough or too poorly supported are no planes.
+#pragma once
+
+#include "epcc_segmentation/parameters.h"
+#include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/region_map.h"
+
+namespace epcc {
+
+/// True if the region counts as a plane.
+bool isPlane(const PlaneMoments& region, const EvidenceParameters& parameters, const SensorModel& sensor);
+
+/// Unlabels the pixels of the regions that do not.
+void rejectRegions(const EvidenceParameters& parameters, const SensorModel& sensor, RegionMap& map);
+
+}  // namespace epcc

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A frame as inverse depths over a grid of rays, the form in which planes are linear.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/sensor_model.h"
+
+namespace epcc {
+
+/// Variance of an inverse depth as a function of the inverse depth: no division, no branch.
+struct InverseDepthNoise {
+  double k1 = 0.0, k2 = 0.0, k3 = 0.0;  // polynomial form: (k1 + k2 w + k3 w^2)^2
+  double a2 = 0.0, b2 = 0.0;            // axial form: b^2 + a^2 w^4
+
+  static InverseDepthNoise of(const SensorModel& sensor);
+  double variance(double w) const {
+    const double s = k1 + w * (k2 + w * k3);
+    const double w2 = w * w;
+    return s * s + b2 + a2 * w2 * w2;
+  }
+};
+
+/// Rays are (across[column], along[row], forward[column]); a plane not through the sensor is
+/// q . ray = w. Pinhole images and perspective clouds: forward = 1, w = 1/z, across and along the usual
+/// u = (c - cx)/fx, v = (r - cy)/fy. Spherical scans: (across, forward) is the unit vector of the
+/// column's azimuth, along the tangent of the row's elevation, w = 1/t1 the inverse horizontal distance.
+struct InverseDepthImage {
+  int width = 0;
+  int height = 0;
+  bool planar_rows = true;              ///< rows are planar sections too (false for spherical scans)
+  std::vector<float> w;                 ///< row-major, 0 = invalid
+  std::vector<float> w_transposed;      ///< the same, column-major
+  std::vector<double> across, forward;  ///< per column
+  std::vector<double> along;            ///< per row
+  /// Per row: measured inverse depth = w * measured_scale; 1 for perspective frames, cos(elevation) for scans.
+  std::vector<double> measured_scale;
+  InverseDepthNoise noise;
+
+  Eigen::Vector3d ray(int row, int column) const {
+    return {across[static_cast<std::size_t>(column)], along[static_cast<std::size_t>(row)],
+            forward[static_cast<std::size_t>(column)]};
+  }
+  /// Variance of w in this row.
+  double variance(double value, int row) const {
+    const double scale = measured_scale[static_cast<std::size_t>(row)];
+    return noise.variance(value * scale) / (scale * scale);
+  }
+
+  /// Reads a frame; memory is reused. Cloud rays are estimated per row and column from the points.
+  void read(const DepthFrame& frame, const SensorModel& sensor);
+
+ private:
+  void readDepths(const DepthFrame& frame);
+  void transpose();
+};
+
+}  // namespace epcc

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The default mode, S1 to S7, with its memory.
+#pragma once
+
+#include <vector>
+
+#include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/parameters.h"
+#include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/line_growing.h"
+#include "inverse_depth/plane_growing.h"
+#include "inverse_depth/region_map.h"
+
+namespace epcc {
+
+/// Segments frames in inverse depth. Keeps its memory between frames.
+class InverseDepthPipeline {
+ public:
+  InverseDepthPipeline(const Parameters& parameters, const SensorModel& sensor);
+
+  void read(const DepthFrame& frame);  ///< depth -> inverse depth
+  void growLines();                    ///< S1
+  void growPlanes();                   ///< S2
+  void joinDirections();               ///< S3
+  void mergeRegions();                 ///< S4
+  void refineBoundaries();             ///< S5, S6
+  void rejectClutter();                ///< S7
+
+  /// Row-major labels, 0 or index into the regions + 1; some regions may be empty.
+  const std::vector<std::int32_t>& labels() const { return map_.labels; }
+  int labelCount() const { return static_cast<int>(map_.regions.size()); }
+
+ private:
+  /// Everything that belongs to one scan direction.
+  struct Direction {
+    bool active = false;
+    std::vector<GrownLine> lines;
+    std::vector<std::size_t> line_begin;   // per scan line, into lines; one more at the end
+    std::vector<std::int32_t> segment_of;  // per pixel, scan-line-major; -1 none
+    std::vector<int> plane_of;             // per segment
+    std::vector<double> plane_points;      // per plane; 0 if the plane is too small
+  };
+  void growLines(bool columns, Direction& direction);
+  void growPlanes(bool columns, Direction& direction);
+  double pixelPitch(const std::vector<double>& coordinate) const;
+
+  Parameters parameters_;
+  SensorModel sensor_;
+  InverseDepthImage image_;
+  LineGrowing line_growing_;
+  PlaneGrowing plane_growing_;
+  Direction by_columns_;
+  Direction by_rows_;
+  RegionMap map_;
+};
+
+}  // namespace epcc

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// S1: one pass over a scan line's inverse depths gives line segments.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "epcc_segmentation/parameters.h"
+#include "inverse_depth/inverse_depth_image.h"
+
+namespace epcc {
+
+/// Additive sums of the samples (x, w) of a line, x the ray coordinate along the scan line,
+/// each of weight 1/sigma_w^2.
+struct LineSums {
+  double n = 0.0;
+  double variance = 0.0;  ///< sum of sigma_w^2
+  double w_plain = 0.0;   ///< sum of w
+  double one = 0.0, x = 0.0, xx = 0.0, w = 0.0, xw = 0.0, ww = 0.0;
+
+  void add(double sample_x, double sample_w, double sigma2) {
+    const double weight = 1.0 / sigma2;
+    n += 1.0;
+    variance += sigma2;
+    w_plain += sample_w;
+    one += weight;
+    x += weight * sample_x;
+    xx += weight * sample_x * sample_x;
+    w += weight * sample_w;
+    xw += weight * sample_x * sample_w;
+    ww += weight * sample_w * sample_w;
+  }
+  double meanX() const { return x / one; }
+  double meanW() const { return w / one; }
+  double meanVariance() const { return variance / n; }
+  double sxx() const { return xx - x * x / one; }
+  double sxw() const { return xw - x * w / one; }
+  double sww() const { return ww - w * w / one; }
+  double slope() const {
+    const double s = sxx();
+    return s > 0.0 ? sxw() / s : 0.0;
+  }
+  /// Spread of x in plain units: (weighted) variance of x times n.
+  double spread() const { return n * sxx() / one; }
+  double rss() const {
+    const double s = sxx();
+    return s > 0.0 ? std::fmax(0.0, sww() - sxw() * sxw() / s) : std::fmax(0.0, sww());
+  }
+};
+
+/// A line segment of one scan line: pixels first..last, but for the few rejected between them.
+struct GrownLine {
+  int first = 0;
+  int last = 0;
+  LineSums sums;
+};
+
+/// Grows the lines of one scan line.
+class LineGrowing {
+ public:
+  explicit LineGrowing(const LineGrowingParameters& parameters) : parameters_(parameters) {}
+
+  /// w: `count` inverse depths, 0 = invalid; x: their ray coordinate; scale: measured inverse depth = w * scale,
+  /// by `scale[i]` or, if null, 1. Segments are appended to `lines`; segment_of[i] receives
+  /// first_id + index of the segment or -1.
+  void grow(const float* w, const double* x, const double* scale, int count, const InverseDepthNoise& noise,
+            std::int32_t first_id, std::vector<GrownLine>& lines, std::int32_t* segment_of);
+
+ private:
+  struct Sample {
+    int position;
+    double x, w, variance;
+  };
+  bool accepts(const Sample& sample) const;
+  void addToActive(const Sample& sample);
+  bool startFromBuffer();
+  void emit();
+
+  LineGrowingParameters parameters_;
+  std::vector<Sample> buffer_;
+  bool has_active_ = false;
+  GrownLine active_;
+  double mean_x_ = 0.0, mean_w_ = 0.0, slope_ = 0.0;
+  std::int32_t active_id_ = 0;
+  std::vector<GrownLine>* lines_ = nullptr;
+  std::int32_t* segment_of_ = nullptr;
+};
+
+}  // namespace epcc

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Additive moments of pixels in (ray, inverse depth), and the plane that fits them.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace epcc {
+
+/// A plane q . ray = w with the inverse of its normal matrix.
+struct PlaneEstimate {
+  Eigen::Vector3d q = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+  double rss = 0.0;  ///< weighted residual sum of squares, in units of sigma^2
+
+  double at(const Eigen::Vector3d& ray) const { return q.dot(ray); }
+};
+
+/// Sums over pixels of weight 1/sigma_w^2. Moments of disjoint regions add exactly.
+struct PlaneMoments {
+  double n = 0.0;
+  Eigen::Matrix3d rays = Eigen::Matrix3d::Zero();    ///< sum of ray ray^T / sigma^2
+  Eigen::Vector3d rays_w = Eigen::Vector3d::Zero();  ///< sum of ray w / sigma^2
+  double w_w = 0.0;                                  ///< sum of w^2 / sigma^2
+  double w_sum = 0.0;                                ///< sum of w (unweighted, for the mean)
+
+  PlaneMoments& operator+=(const PlaneMoments& other) {
+    n += other.n;
+    rays += other.rays;
+    rays_w += other.rays_w;
+    w_w += other.w_w;
+    w_sum += other.w_sum;
+    return *this;
+  }
+  void add(const Eigen::Vector3d& ray, double w, double variance) {
+    const double weight = 1.0 / variance;
+    n += 1.0;
+    rays.noalias() += weight * ray * ray.transpose();
+    rays_w += (weight * w) * ray;
+    w_w += weight * w * w;
+    w_sum += w;
+  }
+  double meanW() const { return n > 0.0 ? w_sum / n : 0.0; }
+
+  /// Least squares with a ridge on the two slopes, q = (M + ridge diag(1, 1, 0))^-1 b.
+  PlaneEstimate fit(double ridge) const {
+    Eigen::Matrix3d a = rays;
+    a(0, 0) += ridge;
+    a(1, 1) += ridge;
+    PlaneEstimate estimate;
+    estimate.inverse = a.inverse();
+    estimate.q = estimate.inverse * rays_w;
+    estimate.rss = std::max(0.0, w_w - 2.0 * estimate.q.dot(rays_w) + estimate.q.dot(rays * estimate.q));
+    return estimate;
+  }
+};
+
+/// 1 + tan^2 theta between the viewing ray and the normal: by how much an orthogonal error grows along the
+/// ray, squared. tan^2 = (q_u^2 + q_v^2) / w^2, clipped at 25.
+inline double slopeFactor(const Eigen::Vector3d& q, double mean_w) {
+  const double tan2 = (q.x() * q.x() + q.y() * q.y()) / std::max(mean_w * mean_w, 1e-12);
+  return 1.0 + std::min(tan2, 25.0);
+}
+
+}  // namespace epcc

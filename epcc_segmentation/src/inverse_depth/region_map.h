@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Labelled regions with their moments, the state that S3 to S7 work on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/plane_moments.h"
+
+namespace epcc {
+
+/// Labels are row-major, 0 = none; regions[k - 1] belongs to label k, n = 0 marks a dropped region.
+struct RegionMap {
+  std::vector<std::int32_t> labels;
+  std::vector<PlaneMoments> regions;
+
+  /// Recomputes every region's moments from the labels, run by run.
+  void accumulate(const InverseDepthImage& image);
+  /// Gives every pixel of label k the label new_label[k]; regions are left as they are.
+  void relabel(const std::vector<std::int32_t>& new_label);
+};
+
+}  // namespace epcc

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// S4: region graph, best-first queue with stale entries skipped by version.
+#include "inverse_depth/region_merging.h"
+
+#include <map>
+#include <queue>
+#include <unordered_map>
+
+namespace epcc {
+
+namespace {
+
+using Contacts = std::vector<std::map<std::int32_t, int>>;  // per region: neighbour -> contacts
+
+/// Counts, along one line of pixels, the label changes across at most `bridge` unlabelled pixels.
+class ContactCounter {
+ public:
+  ContactCounter(int bridge, std::unordered_map<std::uint64_t, int>& contacts) : bridge_(bridge), contacts_(contacts) {}
+  void startLine() { last_label_ = 0; }
+  void add(int position, std::int32_t label) {
+    if (label == 0) return;
+    if (last_label_ != 0 && last_label_ != label && position - last_position_ <= bridge_ + 1) {
+      const auto low = static_cast<std::uint32_t>(std::min(label, last_label_));
+      const auto high = static_cast<std::uint32_t>(std::max(label, last_label_));
+      ++contacts_[(static_cast<std::uint64_t>(high) << 32) | low];
+    }
+    last_label_ = label;
+    last_position_ = position;
+  }
+
+ private:
+  int bridge_;
+  std::unordered_map<std::uint64_t, int>& contacts_;
+  std::int32_t last_label_ = 0;
+  int last_position_ = 0;
+};
+
+Contacts countContacts(const InverseDepthImage& image, int bridge, const RegionMap& map) {
+  std::unordered_map<std::uint64_t, int> pairs;
+  ContactCounter counter(bridge, pairs);
+  for (int row = 0; row < image.height; ++row) {
+    counter.startLine();
+    for (int column = 0; column < image.width; ++column)
+      counter.add(column, map.labels[static_cast<std::size_t>(row) * image.width + column]);
+  }
+  std::vector<ContactCounter> columns(static_cast<std::size_t>(image.width), counter);
+  for (auto& column : columns) column.startLine();
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column)
+      columns[static_cast<std::size_t>(column)].add(row,
+                                                    map.labels[static_cast<std::size_t>(row) * image.width + column]);
+  Contacts contacts(map.regions.size() + 1);
+  for (const auto& [pair, count] : pairs) {
+    const auto high = static_cast<std::int32_t>(pair >> 32);
+    const auto low = static_cast<std::int32_t>(pair & 0xffffffffu);
+    contacts[static_cast<std::size_t>(low)][high] = count;
+    contacts[static_cast<std::size_t>(high)][low] = count;
+  }
+  return contacts;
+}
+
+/// A possible merge; of equal costs the smaller labels go first, so that the order is always the same.
+struct Candidate {
+  double cost;
+  std::int32_t a, b;
+  int version_a, version_b;
+  bool operator>(const Candidate& other) const {
+    if (cost != other.cost) return cost > other.cost;
+    return a != other.a ? a > other.a : b > other.b;
+  }
+};
+
+class Merger {
+ public:
+  Merger(const MergingParameters& parameters, double pixels_per_sample, RegionMap& map, Contacts contacts)
+      : parameters_(parameters),
+        pixels_per_sample_(pixels_per_sample),
+        map_(map),
+        contacts_(std::move(contacts)),
+        version_(map.regions.size() + 1, 0),
+        parent_(map.regions.size() + 1) {
+    for (std::size_t k = 0; k < parent_.size(); ++k) parent_[k] = static_cast<std::int32_t>(k);
+  }
+
+  void run() {
+    for (std::size_t a = 1; a < contacts_.size(); ++a)
+      for (const auto& [b, count] : contacts_[a])
+        if (static_cast<std::int32_t>(a) < b) consider(static_cast<std::int32_t>(a), b, count);
+    while (!queue_.empty()) {
+      const Candidate next = queue_.top();
+      queue_.pop();
+      if (next.version_a != version_[index(next.a)] || next.version_b != version_[index(next.b)]) continue;
+      merge(next.a, next.b);
+    }
+  }
+
+  /// Final label of each label.
+  std::vector<std::int32_t> roots() {
+    std::vector<std::int32_t> result(parent_.size());
+    for (std::size_t k = 0; k < parent_.size(); ++k) {
+      std::int32_t root = static_cast<std::int32_t>(k);
+      while (parent_[index(root)] != root) root = parent_[index(root)];
+      result[k] = root;
+    }
+    return result;
+  }
+
+ private:
+  static std::size_t index(std::int32_t label) { return static_cast<std::size_t>(label); }
+  PlaneMoments& region(std::int32_t label) { return map_.regions[index(label) - 1]; }
+
+  void consider(std::int32_t a, std::int32_t b, int count) {
+    if (count < parameters_.min_contacts) return;
+    const double cost = mergeCost(region(a), region(b), parameters_, pixels_per_sample_);
+    if (cost > 1.0) return;
+    if (a > b) std::swap(a, b);
+    queue_.push({cost, a, b, version_[index(a)], version_[index(b)]});
+  }
+
+  // b becomes part of a.
+  void merge(std::int32_t a, std::int32_t b) {
+    region(a) += region(b);
+    region(b) = PlaneMoments();
+    parent_[index(b)] = a;
+    ++version_[index(a)];
+    ++version_[index(b)];
+    for (const auto& [neighbour, count] : contacts_[index(b)]) {
+      contacts_[index(neighbour)].erase(b);
+      if (neighbour == a) continue;
+      contacts_[index(a)][neighbour] += count;
+      contacts_[index(neighbour)][a] += count;
+    }
+    contacts_[index(b)].clear();
+    for (const auto& [neighbour, count] : contacts_[index(a)]) consider(a, neighbour, count);
+  }
+
+  const MergingParameters& parameters_;
+  double pixels_per_sample_;
+  RegionMap& map_;
+  Contacts contacts_;
+  std::vector<int> version_;
+  std::vector<std::int32_t> parent_;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue_;
+};
+
+}  // namespace
+
+double weakRidge(const PlaneMoments& moments) {
+  const double w = moments.meanW();
+  return 0.25 / (w * w);
+}
+
+double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const MergingParameters& parameters,
+                 double pixels_per_sample) {
+  PlaneMoments merged = a;
+  merged += b;
+  const PlaneEstimate fit = merged.fit(weakRidge(merged));
+  const double increase = fit.rss - a.fit(weakRidge(a)).rss - b.fit(weakRidge(b)).rss;
+  const double tolerance = parameters.fragment_tolerance * pixels_per_sample +
+                           parameters.offset_tolerance * parameters.offset_tolerance * std::min(a.n, b.n);
+  return increase / (tolerance * slopeFactor(fit.q, merged.meanW()));
+}
+
+void mergeRegions(const InverseDepthImage& image, const MergingParameters& parameters, const SensorModel& sensor,
+                  RegionMap& map) {
+  Merger merger(parameters, sensor.pixelsPerSample(), map, countContacts(image, parameters.bridge_pixels, map));
+  merger.run();
+  std::vector<std::int32_t> new_label = merger.roots();
+  for (std::size_t k = 1; k < new_label.size(); ++k) {
+    PlaneMoments& region = map.regions[static_cast<std::size_t>(new_label[k]) - 1];
+    if (region.n < parameters.min_samples * sensor.pixelsPerSample()) new_label[k] = 0;
+  }
+  for (auto& region : map.regions)
+    if (region.n < parameters.min_samples * sensor.pixelsPerSample()) region = PlaneMoments();
+  map.relabel(new_label);
+}
+
+}  // namespace epcc
