@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, checks and help texts of the options of epcc_segment.
+#include "eval/segment_options.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cmath>
+#include <ostream>
+
+namespace epcc {
+namespace {
+
+constexpr const char* kDescription =
+    "Segments organized point clouds and depth images into planes.\n"
+    "INPUT is an organized .pcd, a 16-bit depth .png or a folder of labelled frames. The camera of X_depth.png is\n"
+    "read from X.json beside it unless given.";
+
+constexpr const char* kFooter =
+    "Exit codes: 0 done, 2 wrong usage, 3 an input could not be used, 4 an output could not be written.";
+
+// The options as typed, before they are checked against each other.
+struct RawOptions {
+  std::optional<double> fx, fy, cx, cy, depth_scale;
+  std::string mode = "paper";
+  std::string scan = "columns";
+  std::string criterion = "a";
+};
+
+std::string checkFinite(const std::string& text) {
+  double value = 0.0;
+  if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is not a number";
+  return std::isfinite(value) ? std::string() : "'" + text + "' is not a finite number";
+}
+
+std::string checkPositive(const std::string& text) {
+  const std::string problem = checkFinite(text);
+  if (!problem.empty()) return problem;
+  double value = 0.0;
+  CLI::detail::lexical_cast(text, value);
+  return value > 0.0 ? std::string() : "'" + text + "' is not positive";
+}
+
+std::string checkNoise(const std::string& text) {
+  if (text == "auto") return "'auto' is not available yet; name a preset or give numbers";
+  std::string why;
+  return SensorModel::parse(text, &why) ? std::string() : why;
+}
+
+std::string checkMode(const std::string& text) {
+  if (text == "default") return "the mode 'default' is not available yet; use 'paper'";
+  return text == "paper" ? std::string() : "unknown mode '" + text + "'; use 'paper'";
+}
+
+std::string checkScan(const std::string& text) {
+  if (text == "both") return "'both' belongs to the default mode, which is not available yet; use 'columns' or 'rows'";
+  return text == "columns" || text == "rows" ? std::string() : "'" + text + "' is neither 'columns' nor 'rows'";
+}
+
+std::string checkCriterion(const std::string& text) {
+  const bool known = text.size() == 1 && text[0] >= 'a' && text[0] <= 'd';
+  return known ? std::string() : "'" + text + "' is none of 'a', 'b', 'c', 'd'";
+}
+
+std::string checkPath(const std::string& text) {
+  return text.empty() ? "the name is empty" : std::string();
+}
+
+void addCameraOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
+  CLI::Option* file = app.add_option("--camera", options.camera_file, "Camera of the depth images")
+                          ->type_name("NAME.json")
+                          ->check(checkPath)
+                          ->group("Camera");
+  const auto number = [&](const char* name, std::optional<double>& value, const char* text, auto check) {
+    return app.add_option(name, value, text)->type_name("F")->check(check)->group("Camera")->excludes(file);
+  };
+  CLI::Option* fx = number("--fx", raw.fx, "Focal length along a row, pixels", checkPositive);
+  CLI::Option* fy = number("--fy", raw.fy, "Focal length along a column, pixels", checkPositive);
+  CLI::Option* cx = number("--cx", raw.cx, "Column of the principal point, pixels", checkFinite);
+  CLI::Option* cy = number("--cy", raw.cy, "Row of the principal point, pixels", checkFinite);
+  CLI::Option* scale = number("--depth-scale", raw.depth_scale, "Metres per depth unit (0.001)", checkPositive);
+  for (CLI::Option* option : {fx, fy, cx, cy, scale}) {
+    for (CLI::Option* other : {fx, fy, cx, cy}) {
+      if (option != other) option->needs(other);
+    }
+  }
+}
+
+void addMethodOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
+  Parameters& p = options.parameters;
+  const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
+    return app.add_option(name, value, text)->type_name(type)->group("Method");
+  };
+  add("--mode", raw.mode, "MODE", "paper (the only one so far)")->check(checkMode);
+  add("--noise", options.noise, "NOISE", "Sensor: PRESET | A,B,L | poly:K1,K2,K3 (else the frame's own, else d435i)")
+      ->check(checkNoise);
+  add("--scan", raw.scan, "WHICH", "Scan lines: columns | rows (columns)")->check(checkScan);
+  add("--line-k-max", p.line.k_max, "K", "k_max of Eq. 20 (2)")->check(checkFinite);
+  add("--plane-k-max", p.plane.k_max, "K", "k_max of Eq. 23 (3)")->check(checkFinite);
+  add("--max-gap", p.plane.max_gap, "D1", "Gap within a plane beyond the noise, metres (0.15)")->check(checkFinite);
+  add("--min-points", p.plane.min_points, "N", "Planes with fewer pixels are dropped (0)");
+  add("--criterion", raw.criterion, "a|b|c|d", "Form of the criterion, Table 2 (a)")->check(checkCriterion);
+  add("--threads", p.threads, "N", "Threads; the result does not depend on them (1)");
+}
+
+void addOutputOptions(CLI::App& app, SegmentOptions& options) {
+  const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
+    return app.add_option(name, value, text)->type_name(type)->check(checkPath)->group("Output");
+  };
+  CLI::Option* out = add("--out", options.out, "DIR",
+                         "Folder for NAME_labels.png, NAME_planes.json, NAME_overlay.png "
+                         "and NAME_cloud.pcd of every input");
+  add("--labels", options.labels, "OUT.png", "16-bit label image: 0 none, planes from 1")->excludes(out);
+  add("--planes", options.planes, "OUT.json", "List of the planes")->excludes(out);
+  add("--overlay", options.overlay, "OUT.png", "Picture of the labels on the depth")->excludes(out);
+  add("--cloud", options.cloud, "OUT.pcd", "Labelled organized cloud")->excludes(out);
+  app.add_flag("--timing", options.timing, "Print the time of each stage")->group("Output");
+}
+
+// Empty if all is well, else what is wrong.
+std::string settle(const RawOptions& raw, SegmentOptions& options) {
+  if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
+  if (!options.noise.empty()) options.sensor = SensorModel::parse(options.noise);
+  options.parameters.scan = raw.scan == "rows" ? ScanDirection::Rows : ScanDirection::Columns;
+  options.parameters.plane.criterion = static_cast<PlaneCriterion>(raw.criterion[0] - 'a');
+  const std::string problem = options.parameters.validate();
+  if (!problem.empty()) return problem;
+  if (options.inputs.size() > 1 && options.namesOutputs()) {
+    return "--labels, --planes, --overlay and --cloud take a single input; use --out DIR for several";
+  }
+  return std::string();
+}
+
+// CLI11's messages may have several lines.
+std::string oneLine(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::string line;
+  for (const char c : text) line += c == '\n' ? std::string("; ") : std::string(1, c);
+  return line;
+}
+
+int usageError(const std::string& problem, std::ostream& err) {
+  err << "epcc_segment: " << oneLine(problem) << " (see epcc_segment --help)\n";
+  return kExitUsage;
+}
+
+}  // namespace
+
+std::optional<int> parseSegmentOptions(int argc, const char* const* argv, SegmentOptions& options, std::ostream& out,
+                                       std::ostream& err) {
+  static_assert(static_cast<int>(PlaneCriterion::Prototype) == 3, "criteria a to d in order");
+  CLI::App app(kDescription, "epcc_segment");
+  app.footer(kFooter);
+  app.set_version_flag("--version", std::string("epcc_segment ") + EPCC_VERSION);
+  RawOptions raw;
+  app.add_option("INPUT", options.inputs, "Organized .pcd, 16-bit depth .png, or a folder of labelled frames")
+      ->required()
+      ->check(checkPath);
+  addCameraOptions(app, options, raw);
+  addMethodOptions(app, options, raw);
+  addOutputOptions(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    out << app.help();
+    return kExitDone;
+  } catch (const CLI::CallForVersion& version) {
+    out << version.what() << '\n';
+    return kExitDone;
+  } catch (const CLI::ParseError& error) {
+    return usageError(error.what(), err);
+  }
+  const std::string problem = settle(raw, options);
+  if (!problem.empty()) return usageError(problem, err);
+  return std::nullopt;
+}
+
+}  // namespace epcc

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of epcc_segment.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "epcc_segmentation/parameters.h"
+#include "epcc_segmentation/sensor_model.h"
+
+namespace epcc {
+
+/// Exit codes of the programs.
+enum ExitCode {
+  kExitDone = 0,
+  kExitUsage = 2,   ///< the command line cannot be understood
+  kExitInput = 3,   ///< an input could not be used
+  kExitOutput = 4,  ///< an output could not be written
+};
+
+/// Intrinsics named on the command line; the size comes from the image.
+struct CameraNumbers {
+  double fx = 0.0;
+  double fy = 0.0;
+  double cx = 0.0;
+  double cy = 0.0;
+  double depth_scale = 0.001;  ///< metres per depth unit
+};
+
+/// What epcc_segment is asked to do.
+struct SegmentOptions {
+  std::vector<std::string> inputs;
+  std::string camera_file;
+  std::optional<CameraNumbers> camera;
+  std::optional<SensorModel> sensor;  ///< nothing: the frame's own, else the default
+  std::string noise;                  ///< as named on the command line
+  Parameters parameters;
+  std::string labels;
+  std::string planes;
+  std::string overlay;
+  std::string cloud;
+  std::string out;  ///< folder; empty: the four above
+  bool timing = false;
+
+  bool givesCamera() const { return camera.has_value() || !camera_file.empty(); }
+  bool namesOutputs() const { return !(labels.empty() && planes.empty() && overlay.empty() && cloud.empty()); }
+};
+
+/// Reads the command line. Returns an exit code if the program is done (help, version, or an error that has been
+/// reported on `err` in one line), nothing if `options` is to be carried out.
+std::optional<int> parseSegmentOptions(int argc, const char* const* argv, SegmentOptions& options, std::ostream& out,
+                                       std::ostream& err);
+
+}  // namespace epcc

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// epcc_segment: planes of organized point clouds and depth images.
+#include <iostream>
+
+#include "eval/segment_command.h"
+
+int main(int argc, char** argv) {
+  return epcc::segmentMain(argc, argv, std::cout, std::cerr);
+}
