@@ -11,20 +11,12 @@
 namespace epcc {
 namespace {
 
-ColorImage filled(int width, int height, const Rgb& color) {
-  ColorImage image;
-  image.width = width;
-  image.height = height;
-  image.data.assign(static_cast<std::size_t>(width) * height, color);
-  return image;
-}
-
 bool isEmpty(const ColorImage& image) {
   return image.width <= 0 || image.height <= 0;
 }
 
 int scaledHeight(const ColorImage& image, int width) {
-  if (isEmpty(image)) return 0;
+  if (image.empty()) return 0;
   return std::max(1, static_cast<int>(std::lround(static_cast<double>(image.height) * width / image.width)));
 }
 
@@ -98,7 +90,7 @@ void drawColumnCaptions(const Mosaic& mosaic, const MosaicStyle& style, const La
 void drawRow(const std::vector<ColorImage>& row, int y, const MosaicStyle& style, const Layout& layout,
              ColorImage& canvas) {
   for (std::size_t i = 0; i < row.size(); ++i) {
-    if (isEmpty(row[i])) continue;
+    if (row[i].empty()) continue;
     paste(resize(row[i], style.cell_width, scaledHeight(row[i], style.cell_width)), layout.x(i, style), y, canvas);
   }
 }
@@ -106,7 +98,7 @@ void drawRow(const std::vector<ColorImage>& row, int y, const MosaicStyle& style
 }  // namespace
 
 ColorImage resize(const ColorImage& image, int width, int height) {
-  ColorImage result = filled(width, height, Rgb{0, 0, 0});
+  ColorImage result(width, height);
   for (int y = 0; y < height; ++y) {
     const int y0 = sourceStart(y, image.height, height);
     const int y1 = std::max(y0 + 1, sourceStart(y + 1, image.height, height));
@@ -124,7 +116,7 @@ ColorImage drawMosaic(const Mosaic& mosaic, const MosaicStyle& style) {
     throw std::invalid_argument("mosaic: cell width and text scale must be at least 1, the gap at least 0");
   }
   const Layout layout = layOut(mosaic, style);
-  ColorImage canvas = filled(layout.width(style), layout.height(style), style.background);
+  ColorImage canvas(layout.width(style), layout.height(style), style.background);
   drawColumnCaptions(mosaic, style, layout, canvas);
   int y = layout.top;
   for (std::size_t i = 0; i < mosaic.rows.size(); ++i) {

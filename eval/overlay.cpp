@@ -15,14 +15,6 @@ namespace {
 constexpr Rgb kInvalid{18, 18, 22};
 constexpr double kBorderDarkening = 0.25;
 
-ColorImage blank(int width, int height) {
-  ColorImage image;
-  image.width = width;
-  image.height = height;
-  image.data.assign(static_cast<std::size_t>(width) * height, kInvalid);
-  return image;
-}
-
 std::uint8_t toByte(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
@@ -61,7 +53,7 @@ void darkenBorders(const std::vector<std::int32_t>& labels, ColorImage& image) {
 }  // namespace
 
 ColorImage shadeDepth(const DepthImage& depth) {
-  ColorImage image = blank(depth.width, depth.height);
+  ColorImage image(depth.width, depth.height, kInvalid);
   const std::vector<float> relief = depthRelief(depth);
   for (std::size_t i = 0; i < relief.size(); ++i) {
     if (relief[i] >= 0.0F) image.data[i] = grey(relief[i]);
@@ -71,7 +63,7 @@ ColorImage shadeDepth(const DepthImage& depth) {
 
 ColorImage drawOverlay(const DepthImage& depth, const std::vector<std::int32_t>& labels, const OverlayStyle& style) {
   if (labels.size() != depth.data.size()) throw std::invalid_argument("labels and depth differ in size");
-  ColorImage image = blank(depth.width, depth.height);
+  ColorImage image(depth.width, depth.height, kInvalid);
   const std::vector<float> relief = depthRelief(depth);
   for (std::size_t i = 0; i < relief.size(); ++i) {
     const float brightness = std::max(relief[i], 0.0F);

@@ -21,6 +21,8 @@
 namespace epcc {
 namespace {
 
+constexpr std::size_t kLongestLine = 1000;
+
 using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) {
@@ -28,7 +30,7 @@ double secondsSince(Clock::time_point start) {
 }
 
 int complain(std::ostream& err, const std::string& problem, ExitCode code) {
-  err << "epcc_segment: " << problem << '\n';
+  err << "epcc_segment: " << printable(problem, kLongestLine) << '\n';
   return code;
 }
 
@@ -58,9 +60,10 @@ struct Sensor {
 Sensor sensorFor(const SegmentOptions& options, const SegmentInput& input, const LoadedFrame& loaded) {
   if (options.sensor) return {*options.sensor, options.noise};
   if (!loaded.noise) return {SensorModel(), "d435i"};
-  const std::optional<SensorModel> preset = SensorModel::preset(*loaded.noise);
-  if (!preset) throw InputError(input.camera_file, "noise", "unknown preset '" + *loaded.noise + "'");
-  return {*preset, *loaded.noise};
+  std::string why;
+  const std::optional<SensorModel> model = SensorModel::parse(*loaded.noise, &why);
+  if (!model) throw InputError(input.camera_file, "noise", why);
+  return {*model, *loaded.noise};
 }
 
 std::string heading(const SegmentInput& input, const LoadedFrame& loaded, const PlaneSegmentation& result,
@@ -78,11 +81,10 @@ std::string heading(const SegmentInput& input, const LoadedFrame& loaded, const 
 
 std::string timingLine(double reading, const StageTimes& times, double writing) {
   char text[200];
-  std::snprintf(text, sizeof text,
-                "  time: reading %.1f ms, lines %.1f ms, planes %.1f ms, result %.1f ms, segmentation in all %.1f ms, "
-                "writing %.1f ms\n",
-                1e3 * reading, 1e3 * times.lines, 1e3 * times.planes, 1e3 * times.result, 1e3 * times.total(),
-                1e3 * writing);
+  std::snprintf(
+      text, sizeof text,
+      "  time: reading %.1f ms, segmentation %.1f ms (lines %.1f, planes %.1f, result %.1f), writing %.1f ms\n",
+      1e3 * reading, 1e3 * times.total(), 1e3 * times.lines, 1e3 * times.planes, 1e3 * times.result, 1e3 * writing);
   return text;
 }
 

@@ -3,9 +3,11 @@
 #include "eval/segment_options.h"
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cmath>
+#include <memory>
 #include <ostream>
+
+#include "datasets/input_error.h"
 
 namespace epcc {
 namespace {
@@ -24,6 +26,14 @@ struct RawOptions {
   std::string mode = "paper";
   std::string scan = "columns";
   std::string criterion = "a";
+};
+
+// Help without CLI11's lists of what an option needs and excludes: they are longer than the help itself.
+class PlainFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_name().empty() ? std::string() : " " + option->get_type_name();
+  }
 };
 
 std::string checkFinite(const std::string& text) {
@@ -120,6 +130,7 @@ void addOutputOptions(CLI::App& app, SegmentOptions& options) {
 std::string settle(const RawOptions& raw, SegmentOptions& options) {
   if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
   if (!options.noise.empty()) options.sensor = SensorModel::parse(options.noise);
+  options.parameters.mode = Mode::Paper;
   options.parameters.scan = raw.scan == "rows" ? ScanDirection::Rows : ScanDirection::Columns;
   options.parameters.plane.criterion = static_cast<PlaneCriterion>(raw.criterion[0] - 'a');
   const std::string problem = options.parameters.validate();
@@ -130,16 +141,8 @@ std::string settle(const RawOptions& raw, SegmentOptions& options) {
   return std::string();
 }
 
-// CLI11's messages may have several lines.
-std::string oneLine(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  std::string line;
-  for (const char c : text) line += c == '\n' ? std::string("; ") : std::string(1, c);
-  return line;
-}
-
 int usageError(const std::string& problem, std::ostream& err) {
-  err << "epcc_segment: " << oneLine(problem) << " (see epcc_segment --help)\n";
+  err << "epcc_segment: " << printable(problem, 1000) << " (see epcc_segment --help)\n";
   return kExitUsage;
 }
 
@@ -149,12 +152,11 @@ std::optional<int> parseSegmentOptions(int argc, const char* const* argv, Segmen
                                        std::ostream& err) {
   static_assert(static_cast<int>(PlaneCriterion::Prototype) == 3, "criteria a to d in order");
   CLI::App app(kDescription, "epcc_segment");
+  app.formatter(std::make_shared<PlainFormatter>());
   app.footer(kFooter);
   app.set_version_flag("--version", std::string("epcc_segment ") + EPCC_VERSION);
   RawOptions raw;
-  app.add_option("INPUT", options.inputs, "Organized .pcd, 16-bit depth .png, or a folder of labelled frames")
-      ->required()
-      ->check(checkPath);
+  app.add_option("INPUT", options.inputs, "Files and folders to segment")->type_name("")->required()->check(checkPath);
   addCameraOptions(app, options, raw);
   addMethodOptions(app, options, raw);
   addOutputOptions(app, options);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 // The same file has the same name, whether it exists or not.
 std::string canonical(const std::string& path) {
   std::error_code error;
-  const fs::path full = fs::weakly_canonical(path, error);
+  const fs::path full = fs::weakly_canonical(fs::absolute(path), error);
   return error ? path : full.string();
 }
 

@@ -26,7 +26,7 @@ constexpr double kCy = 23.5;
 double roomDepth(int row) {
   const double wall = 2.0;
   const double down = (row - kCy) / kFocal;
-  return down > 0.0 ? std::min(wall, 0.7 / down) : wall;
+  return down > 0.0 ? std::min(wall, 0.35 / down) : wall;
 }
 
 std::string quoted(const std::string& text) {
@@ -105,7 +105,7 @@ void SegmentToolTest::write(const std::string& name, const std::string& content)
 std::vector<std::string> SegmentToolTest::list(const std::string& folder) const {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(path(folder))) {
-    if (entry.path() != path("work")) names.push_back(entry.path().filename().string());
+    if (entry.path().filename() != "work") names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -37,7 +37,7 @@ class SegmentToolTest : public ::testing::Test {
   /// Names of the files in a folder below the temporary one, sorted.
   std::vector<std::string> list(const std::string& folder = ".") const;
 
-  /// NAME_depth.png of a room's corner: back wall at 2 m and floor 0.7 m below the camera, 64x48, and NAME.json.
+  /// NAME_depth.png of a room's corner: back wall at 2 m and floor 0.35 m below the camera, 64x48, and NAME.json.
   void writeFrame(const std::string& name) const;
   void writeDepth(const std::string& name) const;
   void writeCamera(const std::string& name, int width = 64, int height = 48, const std::string& more = "") const;
