@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two errors of the file readers and writers: one clear line naming file and field.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace epcc {
+
+/// Text fit for one line of a terminal: control characters become '?', long texts are cut.
+std::string printable(const std::string& text, std::size_t longest = 200);
+
+/// A file that cannot be used. what() is "FILE: FIELD: WHAT", always a single line.
+class InputError : public std::runtime_error {
+ public:
+  InputError(const std::string& file, const std::string& field, const std::string& what);
+  const std::string& file() const { return file_; }
+  const std::string& field() const { return field_; }
+
+ private:
+  std::string file_;
+  std::string field_;
+};
+
+/// A file that cannot be written. what() is "FILE: FIELD: WHAT", always a single line.
+class OutputError : public std::runtime_error {
+ public:
+  OutputError(const std::string& file, const std::string& field, const std::string& what);
+};
+
+}  // namespace epcc
