@@ -308,6 +308,19 @@ TEST(BadInput, RowScanOfSphericalScan) {
   expectStatus(segmentation, Status::UnsupportedScan);
 }
 
+TEST(BadInput, ScanInBothDirections) {
+  Segmentation segmentation = withScene();
+  segmentation.setMode(Mode::Paper);
+  segmentation.setScanDirection(ScanDirection::Both);
+  expectStatus(segmentation, Status::InvalidParameters);
+  segmentation.setMode(Mode::Default);
+  std::vector<pcl::PointIndices> clusters;
+  segmentation.extract(clusters);
+  EXPECT_EQ(clusters.size(), 2u);
+  segmentation.setInputCloud(renderLidar<Xyz>(roomCorner()));
+  expectStatus(segmentation, Status::UnsupportedScan);
+}
+
 TEST(BadInput, IsForgottenOnceRepaired) {
   Segmentation segmentation = withScene();
   segmentation.setMaxGap(-1.0);

@@ -360,10 +360,31 @@ TEST(EPCCSegmentation, MinInliersDropsSmallPlanes) {
   EXPECT_EQ(clusters.size(), 1u);
 }
 
+TEST(EPCCSegmentation, BothModesFindThePlanesAndObeyMinInliers) {
+  for (const Mode mode : {Mode::Paper, Mode::Default}) {
+    SCOPED_TRACE(mode == Mode::Paper ? "paper" : "default");
+    Segmentation segmentation;
+    segmentation.setInputCloud(renderCamera<Xyz>(wallAndFloor()));
+    segmentation.setMode(mode);
+    EXPECT_EQ(segmentation.getMode(), mode);
+    std::vector<pcl::ModelCoefficients> models;
+    std::vector<pcl::PointIndices> inliers;
+    segmentation.segment(models, inliers);
+    ASSERT_EQ(models.size(), 2u);
+    for (const auto& plane : wallAndFloor()) EXPECT_EQ(countNear(models, plane), 1);
+    const auto smaller = static_cast<unsigned>(inliers[1].indices.size());
+    segmentation.setMinInliers(smaller + 1);
+    EXPECT_EQ(segmentation.getMinInliers(), smaller + 1);
+    segmentation.segment(models, inliers);
+    EXPECT_EQ(models.size(), 1u);
+  }
+}
+
 TEST(EPCCSegmentation, SettingsReachTheAlgorithm) {
   Segmentation segmentation;
   segmentation.setInputCloud(renderCamera<Xyz>(wallAndFloor()));
   std::vector<pcl::PointIndices> clusters;
+  segmentation.setMode(Mode::Paper);
   segmentation.setMinSegments(161);  // more than there are columns
   segmentation.extract(clusters);
   EXPECT_EQ(segmentation.getStatus(), Segmentation::Status::Ok);

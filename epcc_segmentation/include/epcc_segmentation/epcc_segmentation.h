@@ -77,31 +77,40 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
   void setIndices(const pcl::PointIndices::ConstPtr& indices) override;
   void setIndices(std::size_t row_start, std::size_t col_start, std::size_t nb_rows, std::size_t nb_cols) override;
 
-  /// Scan lines along the image's columns (default) or rows (Sec. 7.2). A spherical scan has only columns.
+  /// Mode::Paper: Algorithms 1 and 2 as published. Mode::Default: inverse depth, made for the correlated error of
+  /// real sensors. Initially as in Parameters. Where a setter says so, it matters in one mode only.
+  void setMode(Mode mode) { change(parameters_.mode, mode); }
+  Mode getMode() const { return parameters_.mode; }
+
+  /// Scan lines along the image's columns (default) or rows (Sec. 7.2), or both (Mode::Default only). A spherical
+  /// scan has only columns.
   void setScanDirection(ScanDirection direction) { change(parameters_.scan, direction); }
   ScanDirection getScanDirection() const { return parameters_.scan; }
 
   /// k_max of Eq. 20, standard deviations: how far a point may lie from its line segment. (0, 100], default 2.
+  /// Paper mode; the default mode's are in setParameters().
   void setLineKMax(double k_max) { change(parameters_.line.k_max, k_max); }
   double getLineKMax() const { return parameters_.line.k_max; }
 
   /// k_max of Eq. 23, standard deviations: how far a segment may lie from its plane. (0, 100], default 3.
+  /// Paper mode; the default mode's are in setParameters().
   void setPlaneKMax(double k_max) { change(parameters_.plane.k_max, k_max); }
   double getPlaneKMax() const { return parameters_.plane.k_max; }
 
-  /// d_1 of Eq. 27, metres: gap between neighbouring segments of a plane. [0, 100], default 0.15.
+  /// d_1 of Eq. 27, metres: gap between neighbouring segments of a plane. [0, 100], default 0.15. Paper mode.
   void setMaxGap(double metres) { change(parameters_.plane.max_gap, metres); }
   double getMaxGap() const { return parameters_.plane.max_gap; }
 
-  /// Fewest points of a plane. [0, 1e9], default 0: setMinSegments() decides alone.
+  /// Fewest points of a plane, in both modes. [0, 1e9]; initially 0 in paper mode, where setMinSegments() then
+  /// decides alone, and 150 in the default mode.
   void setMinInliers(unsigned points);
-  unsigned getMinInliers() const { return static_cast<unsigned>(parameters_.plane.min_points); }
+  unsigned getMinInliers() const;
 
-  /// Fewest line segments of a plane (15 are the 30 endpoints of Sec. 7.1). [1, 1e6], default 15.
+  /// Fewest line segments of a plane (15 are the 30 endpoints of Sec. 7.1). [1, 1e6], default 15. Paper mode.
   void setMinSegments(int segments) { change(parameters_.plane.min_segments, segments); }
   int getMinSegments() const { return parameters_.plane.min_segments; }
 
-  /// Variances of the acceptance criterion of Algorithm 2 (Table 2). Default (a), all of them.
+  /// Variances of the acceptance criterion of Algorithm 2 (Table 2). Default (a), all of them. Paper mode.
   void setPlaneCriterion(PlaneCriterion criterion) { change(parameters_.plane.criterion, criterion); }
   PlaneCriterion getPlaneCriterion() const { return parameters_.plane.criterion; }
 
@@ -131,7 +140,7 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
   bool getProjectPoints() const { return project_points_; }
 
   /// Radians: largest angle between the two segments that start a plane (Algorithm 2). (0, pi/2], default 20 degrees.
-  /// Not the angle between neighbouring normals, which EPCC does not use.
+  /// Paper mode. Not the angle between neighbouring normals, which EPCC does not use.
   void setAngularThreshold(double radians) { change(parameters_.plane.max_start_angle, radians * (180.0 / M_PI)); }
   double getAngularThreshold() const { return parameters_.plane.max_start_angle * (M_PI / 180.0); }
 

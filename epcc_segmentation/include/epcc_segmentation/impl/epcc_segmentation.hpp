@@ -39,7 +39,15 @@ void EPCCSegmentation<PointT>::setIndices(std::size_t row_start, std::size_t col
 template <typename PointT>
 void EPCCSegmentation<PointT>::setMinInliers(unsigned points) {
   const auto largest = static_cast<unsigned>(std::numeric_limits<int>::max());
-  change(parameters_.plane.min_points, static_cast<int>(std::min(points, largest)));
+  const int fewest = static_cast<int>(std::min(points, largest));
+  change(parameters_.plane.min_points, fewest);
+  change(parameters_.evidence.min_points, std::max(1, fewest));
+}
+
+template <typename PointT>
+unsigned EPCCSegmentation<PointT>::getMinInliers() const {
+  const bool paper = parameters_.mode == Mode::Paper;
+  return static_cast<unsigned>(paper ? parameters_.plane.min_points : parameters_.evidence.min_points);
 }
 
 template <typename PointT>
@@ -183,7 +191,7 @@ typename EPCCSegmentation<PointT>::Status EPCCSegmentation<PointT>::checkSetting
   used_projection_ = projection_ ? *projection_
                                  : detectProjection(&input_->points.front().x, sizeof(PointT) / sizeof(float),
                                                     static_cast<int>(input_->width), static_cast<int>(input_->height));
-  if (used_projection_ == Projection::Spherical && parameters_.scan == ScanDirection::Rows) {
+  if (used_projection_ == Projection::Spherical && parameters_.scan != ScanDirection::Columns) {
     what = "the rows of a spherical scan are cones: scan it by columns";
     return Status::UnsupportedScan;
   }
