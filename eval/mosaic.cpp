@@ -11,10 +11,6 @@
 namespace epcc {
 namespace {
 
-bool isEmpty(const ColorImage& image) {
-  return image.width <= 0 || image.height <= 0;
-}
-
 int scaledHeight(const ColorImage& image, int width) {
   if (image.empty()) return 0;
   return std::max(1, static_cast<int>(std::lround(static_cast<double>(image.height) * width / image.width)));

@@ -93,9 +93,11 @@ std::string checkOutputs(const SegmentOptions& options, const std::vector<Segmen
 
 void writeOutputs(const OutputPaths& paths, const LoadedFrame& loaded, const PlaneSegmentation& result) {
   if (!paths.labels.empty()) writeGray16(paths.labels, labelImage(result, paths.labels));
-  if (!paths.planes.empty()) writePlaneList(paths.planes, result);
+  if (!paths.planes.empty()) writePlaneList(paths.planes, result, loaded.projection);
   if (!paths.overlay.empty()) writeRgb(paths.overlay, drawOverlay(loaded.depth, result.labels));
-  if (!paths.cloud.empty()) writeLabelledPcd(paths.cloud, loaded.width, loaded.height, pointsOf(loaded), result.labels);
+  if (!paths.cloud.empty())
+    writeLabelledPcd(paths.cloud, loaded.width, loaded.height, pointsOf(loaded),
+                     {result.labels.begin(), result.labels.end()});
 }
 
 }  // namespace epcc

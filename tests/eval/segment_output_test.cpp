@@ -47,6 +47,16 @@ TEST_F(SegmentOutput, CloudAndDepthImageAgree) {
   EXPECT_GT(same, 64 * 48 * 95 / 100);
 }
 
+TEST_F(SegmentOutput, CloudThatLooksAlongMinusZIsTurned) {
+  writeCloud("room.pcd");
+  writeCloud("turned.pcd", true);
+  ASSERT_EQ(run({"room.pcd", "--labels", "a.png"}).exit_code, 0);
+  const ToolResult turned = run({"turned.pcd", "--labels", "b.png"});
+  ASSERT_EQ(turned.exit_code, 0) << turned.err;
+  EXPECT_NE(turned.out.find("floor-like"), std::string::npos) << turned.out;
+  EXPECT_EQ(read("a.png"), read("b.png"));
+}
+
 TEST_F(SegmentOutput, OwnCloudIsAnInput) {
   ASSERT_EQ(run({"room_depth.png", "--cloud", "c.pcd", "--labels", "first.png"}).exit_code, 0);
   ASSERT_EQ(run({"c.pcd", "--labels", "second.png"}).exit_code, 0);

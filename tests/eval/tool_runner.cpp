@@ -135,14 +135,15 @@ void SegmentToolTest::writeCamera(const std::string& name, int width, int height
   write(name, text.str());
 }
 
-void SegmentToolTest::writeCloud(const std::string& name) const {
+void SegmentToolTest::writeCloud(const std::string& name, bool flipped) const {
+  const double sign = flipped ? -1.0 : 1.0;
   std::ostringstream text;
   text << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " << kWidth << "\nHEIGHT " << kHeight
        << "\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << kWidth * kHeight << "\nDATA ascii\n";
   for (int row = 0; row < kHeight; ++row) {
     for (int column = 0; column < kWidth; ++column) {
       const double z = roomDepth(row);
-      text << z * (column - kCx) / kFocal << ' ' << z * (row - kCy) / kFocal << ' ' << z << '\n';
+      text << z * (column - kCx) / kFocal << ' ' << sign * z * (row - kCy) / kFocal << ' ' << sign * z << '\n';
     }
   }
   write(name, text.str());

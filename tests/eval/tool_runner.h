@@ -41,8 +41,8 @@ class SegmentToolTest : public ::testing::Test {
   void writeFrame(const std::string& name) const;
   void writeDepth(const std::string& name) const;
   void writeCamera(const std::string& name, int width = 64, int height = 48, const std::string& more = "") const;
-  /// The same room as an organized ASCII cloud.
-  void writeCloud(const std::string& name) const;
+  /// The same room as an organized ASCII cloud; `flipped` turns it by 180 degrees about x (y up, z to the back).
+  void writeCloud(const std::string& name, bool flipped = false) const;
   /// Overwrites a big-endian number or a byte of the PNG header and mends its check sum.
   void patchPngHeader(const std::string& name, std::size_t offset, std::uint32_t value, int bytes) const;
 
