@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copies the points of a frame into PCL's types.
+#include "baselines/frame_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace epcc {
+
+namespace {
+
+bool finitePoint(const DepthFrame& frame, int row, int column, pcl::PointXYZ& point) {
+  Eigen::Vector3d p;
+  if (!frame.scanPoint(row, column, p)) return false;
+  point.getVector3fMap() = p.cast<float>();
+  return point.getVector3fMap().allFinite();
+}
+
+}  // namespace
+
+MeasuredPoints measuredPoints(const DepthFrame& frame) {
+  MeasuredPoints points{pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(), {}};
+  pcl::PointXYZ point;
+  for (int row = 0; row < frame.height(); ++row)
+    for (int column = 0; column < frame.width(); ++column)
+      if (finitePoint(frame, row, column, point)) {
+        points.cloud->push_back(point);
+        points.pixels.push_back(frame.index(row, column));
+      }
+  return points;
+}
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr organizedCloud(const DepthFrame& frame) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(frame.width(), frame.height());
+  cloud->is_dense = false;
+  for (int row = 0; row < frame.height(); ++row)
+    for (int column = 0; column < frame.width(); ++column) {
+      pcl::PointXYZ& point = cloud->at(column, row);
+      if (!finitePoint(frame, row, column, point)) point.getVector3fMap().setConstant(kNan);
+    }
+  return cloud;
+}
+
+double medianDistance(const pcl::PointCloud<pcl::PointXYZ>& cloud) {
+  if (cloud.empty()) return 0.0;
+  std::vector<double> distances;
+  distances.reserve(cloud.size());
+  for (const auto& point : cloud) distances.push_back(point.getVector3fMap().cast<double>().norm());
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+}  // namespace epcc
