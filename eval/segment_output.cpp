@@ -60,6 +60,15 @@ std::vector<float> pointsOf(const LoadedFrame& loaded) {
   return xyz;
 }
 
+// A finished file takes its name by renaming, which would replace a device such as /dev/null by a file.
+void refuseSpecialFiles(const OutputPaths& paths) {
+  for (const std::string& path : paths.all()) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) throw OutputError(path, "file", "is not a regular file");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> OutputPaths::all() const {
@@ -92,6 +101,7 @@ std::string checkOutputs(const SegmentOptions& options, const std::vector<Segmen
 }
 
 void writeOutputs(const OutputPaths& paths, const LoadedFrame& loaded, const PlaneSegmentation& result) {
+  refuseSpecialFiles(paths);
   if (!paths.labels.empty()) writeGray16(paths.labels, labelImage(result, paths.labels));
   if (!paths.planes.empty()) writePlaneList(paths.planes, result, loaded.projection);
   if (!paths.overlay.empty()) writeRgb(paths.overlay, drawOverlay(loaded.depth, result.labels));

@@ -145,6 +145,15 @@ TEST_F(SegmentOutput, OutputThatCannotBeWritten) {
   EXPECT_EQ(list(), (Names{"file", "room.json", "room_depth.png"}));
 }
 
+// A pipe stands for every special file: renaming onto /dev/null as root would replace the device.
+TEST_F(SegmentOutput, OutputThatIsADeviceOrPipe) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud"}) {
+    expectFailure({"room_depth.png", option, "pipe"}, 4, "pipe: file: is not a regular file");
+    EXPECT_TRUE(std::filesystem::is_fifo(path("pipe")));
+  }
+}
+
 TEST_F(SegmentOutput, OutputThatIsAFolder) {
   std::filesystem::create_directory(path("folder"));
   expectFailure({"room_depth.png", "--labels", "folder"}, 4, "folder: ");
