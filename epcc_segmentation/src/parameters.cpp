@@ -62,6 +62,9 @@ std::string PlaneGrowingParameters::validate() const {
 std::string MergingParameters::validate() const {
   return firstOf({checkRange("merging.fragment_tolerance (c1)", fragment_tolerance, 0.0, 1e6),
                   checkRange("merging.offset_tolerance (c2)", offset_tolerance, 0.0, 100.0),
+                  checkRange("merging.max_step", max_step, kSmallest, 1e6),
+                  checkRange("merging.ragged_border", ragged_border, kSmallest, 1e6),
+                  checkRange("merging.max_ragged_gain", max_ragged_gain, 1.0, 100.0),
                   checkRange("merging.bridge_pixels", bridge_pixels, 0, 1000),
                   checkRange("merging.min_contacts", min_contacts, 1, 1000000),
                   checkRange("merging.min_samples", min_samples, 0.0, 1e6)});

@@ -99,6 +99,13 @@ struct MergingParameters {
   double fragment_tolerance = 60.0;
   /// c2: offset in sigma within which large faces are one surface. [0, 100]
   double offset_tolerance = 1.5;
+  /// Largest step along the common border, rms in sigma across the surface. (0, 1e6]
+  double max_step = 6.0;
+  /// A border is ragged if it has more contacts than this times 4 sqrt(n) of the smaller region (1 is the border of
+  /// a square); then the offset tolerance grows in proportion ... (0, 1e6]
+  double ragged_border = 1.5;
+  /// ... up to this factor. [1, 100]
+  double max_ragged_gain = 2.0;
   /// Regions are neighbours across at most so many unlabelled pixels ... [0, 1000]
   int bridge_pixels = 25;
   /// ... in at least so many places. [1, 1e6]
@@ -130,13 +137,14 @@ struct RefinementParameters {
 
 /// S7: what counts as a plane (default mode).
 struct EvidenceParameters {
-  int min_points = 150;
+  /// Planes with fewer pixels are rejected. [1, 1e9]
+  int min_points = 60;
   /// Smallest number of independent samples. [0, 1e6]
   double min_samples = 2.0;
   /// Largest mean squared residual in sigma^2 across the surface. (0, 1e6]
   double max_chi2 = 4.0;
   /// Independent samples a region needs, times max(0.5, chi^2). [0, 1e6]
-  double min_evidence = 8.0;
+  double min_evidence = 12.0;
   std::string validate() const;
 };
 

@@ -2,6 +2,9 @@
 // S4: region graph, best-first queue with stale entries skipped by version.
 #include "inverse_depth/region_merging.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <queue>
 #include <unordered_map>
@@ -10,51 +13,63 @@ namespace epcc {
 
 namespace {
 
-using Contacts = std::vector<std::map<std::int32_t, int>>;  // per region: neighbour -> contacts
+using Contacts = std::vector<std::map<std::int32_t, Contact>>;  // per region: neighbour -> contacts
+using PairContacts = std::unordered_map<std::uint64_t, Contact>;
 
-/// Counts, along one line of pixels, the label changes across at most `bridge` unlabelled pixels.
+/// Collects, along one line of pixels, the label changes across at most `bridge` unlabelled pixels.
 class ContactCounter {
  public:
-  ContactCounter(int bridge, std::unordered_map<std::uint64_t, int>& contacts) : bridge_(bridge), contacts_(contacts) {}
-  void startLine() { last_label_ = 0; }
-  void add(int position, std::int32_t label) {
+  ContactCounter(const InverseDepthImage& image, int bridge, PairContacts& contacts)
+      : image_(image), bridge_(bridge), contacts_(contacts) {}
+
+  void add(int row, int column, int position, std::int32_t label) {
     if (label == 0) return;
     if (last_label_ != 0 && last_label_ != label && position - last_position_ <= bridge_ + 1) {
       const auto low = static_cast<std::uint32_t>(std::min(label, last_label_));
       const auto high = static_cast<std::uint32_t>(std::max(label, last_label_));
-      ++contacts_[(static_cast<std::uint64_t>(high) << 32) | low];
+      Contact& contact = contacts_[(static_cast<std::uint64_t>(high) << 32) | low];
+      ++contact.count;
+      contact.rays += 0.5 * (weightedRay(row, column) + weightedRay(last_row_, last_column_));
     }
     last_label_ = label;
     last_position_ = position;
+    last_row_ = row;
+    last_column_ = column;
   }
 
  private:
+  Eigen::Matrix3d weightedRay(int row, int column) const {
+    const double w = static_cast<double>(image_.w[static_cast<std::size_t>(row) * image_.width + column]);
+    const Eigen::Vector3d ray = image_.ray(row, column);
+    return ray * ray.transpose() / image_.variance(w, row);
+  }
+
+  const InverseDepthImage& image_;
   int bridge_;
-  std::unordered_map<std::uint64_t, int>& contacts_;
+  PairContacts& contacts_;
   std::int32_t last_label_ = 0;
   int last_position_ = 0;
+  int last_row_ = 0;
+  int last_column_ = 0;
 };
 
-Contacts countContacts(const InverseDepthImage& image, int bridge, const RegionMap& map) {
-  std::unordered_map<std::uint64_t, int> pairs;
-  ContactCounter counter(bridge, pairs);
+Contacts findContacts(const InverseDepthImage& image, int bridge, const RegionMap& map) {
+  PairContacts pairs;
+  std::vector<ContactCounter> columns(static_cast<std::size_t>(image.width), ContactCounter(image, bridge, pairs));
   for (int row = 0; row < image.height; ++row) {
-    counter.startLine();
-    for (int column = 0; column < image.width; ++column)
-      counter.add(column, map.labels[static_cast<std::size_t>(row) * image.width + column]);
+    ContactCounter along_row(image, bridge, pairs);
+    for (int column = 0; column < image.width; ++column) {
+      const std::int32_t label = map.labels[static_cast<std::size_t>(row) * image.width + column];
+      along_row.add(row, column, column, label);
+      columns[static_cast<std::size_t>(column)].add(row, column, row, label);
+    }
   }
-  std::vector<ContactCounter> columns(static_cast<std::size_t>(image.width), counter);
-  for (auto& column : columns) column.startLine();
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column)
-      columns[static_cast<std::size_t>(column)].add(row,
-                                                    map.labels[static_cast<std::size_t>(row) * image.width + column]);
   Contacts contacts(map.regions.size() + 1);
-  for (const auto& [pair, count] : pairs) {
+  for (const auto& [pair, contact] : pairs) {
     const auto high = static_cast<std::int32_t>(pair >> 32);
     const auto low = static_cast<std::int32_t>(pair & 0xffffffffu);
-    contacts[static_cast<std::size_t>(low)][high] = count;
-    contacts[static_cast<std::size_t>(high)][low] = count;
+    contacts[static_cast<std::size_t>(low)][high] = contact;
+    contacts[static_cast<std::size_t>(high)][low] = contact;
   }
   return contacts;
 }
@@ -84,8 +99,8 @@ class Merger {
 
   void run() {
     for (std::size_t a = 1; a < contacts_.size(); ++a)
-      for (const auto& [b, count] : contacts_[a])
-        if (static_cast<std::int32_t>(a) < b) consider(static_cast<std::int32_t>(a), b, count);
+      for (const auto& [b, contact] : contacts_[a])
+        if (static_cast<std::int32_t>(a) < b) consider(static_cast<std::int32_t>(a), b, contact);
     while (!queue_.empty()) {
       const Candidate next = queue_.top();
       queue_.pop();
@@ -109,9 +124,9 @@ class Merger {
   static std::size_t index(std::int32_t label) { return static_cast<std::size_t>(label); }
   PlaneMoments& region(std::int32_t label) { return map_.regions[index(label) - 1]; }
 
-  void consider(std::int32_t a, std::int32_t b, int count) {
-    if (count < parameters_.min_contacts) return;
-    const double cost = mergeCost(region(a), region(b), parameters_, pixels_per_sample_);
+  void consider(std::int32_t a, std::int32_t b, const Contact& contact) {
+    if (contact.count < parameters_.min_contacts) return;
+    const double cost = mergeCost(region(a), region(b), contact, parameters_, pixels_per_sample_);
     if (cost > 1.0) return;
     if (a > b) std::swap(a, b);
     queue_.push({cost, a, b, version_[index(a)], version_[index(b)]});
@@ -124,14 +139,14 @@ class Merger {
     parent_[index(b)] = a;
     ++version_[index(a)];
     ++version_[index(b)];
-    for (const auto& [neighbour, count] : contacts_[index(b)]) {
+    for (const auto& [neighbour, contact] : contacts_[index(b)]) {
       contacts_[index(neighbour)].erase(b);
       if (neighbour == a) continue;
-      contacts_[index(a)][neighbour] += count;
-      contacts_[index(neighbour)][a] += count;
+      contacts_[index(a)][neighbour] += contact;
+      contacts_[index(neighbour)][a] += contact;
     }
     contacts_[index(b)].clear();
-    for (const auto& [neighbour, count] : contacts_[index(a)]) consider(a, neighbour, count);
+    for (const auto& [neighbour, contact] : contacts_[index(a)]) consider(a, neighbour, contact);
   }
 
   const MergingParameters& parameters_;
@@ -150,20 +165,32 @@ double weakRidge(const PlaneMoments& moments) {
   return 0.25 / (w * w);
 }
 
-double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const MergingParameters& parameters,
-                 double pixels_per_sample) {
+double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const Contact& contact,
+                 const MergingParameters& parameters, double pixels_per_sample) {
   PlaneMoments merged = a;
   merged += b;
   const PlaneEstimate fit = merged.fit(weakRidge(merged));
-  const double increase = fit.rss - a.fit(weakRidge(a)).rss - b.fit(weakRidge(b)).rss;
-  const double tolerance = parameters.fragment_tolerance * pixels_per_sample +
-                           parameters.offset_tolerance * parameters.offset_tolerance * std::min(a.n, b.n);
-  return increase / (tolerance * slopeFactor(fit.q, merged.meanW()));
+  const PlaneEstimate fit_a = a.fit(weakRidge(a));
+  const PlaneEstimate fit_b = b.fit(weakRidge(b));
+  const double slope_factor = slopeFactor(fit.q, merged.meanW());
+  const double smaller = std::min(a.n, b.n);
+
+  // A step along the common border keeps two surfaces apart, however small one of them is.
+  const Eigen::Vector3d difference = fit_a.q - fit_b.q;
+  const double step2 = difference.dot(contact.rays * difference) / (contact.count * slope_factor);
+  if (step2 > parameters.max_step * parameters.max_step) return std::numeric_limits<double>::infinity();
+
+  // Two planes that compete for the same pixels all along (a ragged border) differ by the error, not by the scene.
+  const double raggedness = contact.count / (4.0 * std::sqrt(smaller));
+  const double offset =
+      parameters.offset_tolerance * std::clamp(raggedness / parameters.ragged_border, 1.0, parameters.max_ragged_gain);
+  const double tolerance = parameters.fragment_tolerance * pixels_per_sample + offset * offset * smaller;
+  return (fit.rss - fit_a.rss - fit_b.rss) / (tolerance * slope_factor);
 }
 
 void mergeRegions(const InverseDepthImage& image, const MergingParameters& parameters, const SensorModel& sensor,
                   RegionMap& map) {
-  Merger merger(parameters, sensor.pixelsPerSample(), map, countContacts(image, parameters.bridge_pixels, map));
+  Merger merger(parameters, sensor.pixelsPerSample(), map, findContacts(image, parameters.bridge_pixels, map));
   merger.run();
   std::vector<std::int32_t> new_label = merger.roots();
   for (std::size_t k = 1; k < new_label.size(); ++k) {

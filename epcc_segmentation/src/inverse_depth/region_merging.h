@@ -13,9 +13,21 @@ namespace epcc {
 void mergeRegions(const InverseDepthImage& image, const MergingParameters& parameters, const SensorModel& sensor,
                   RegionMap& map);
 
+/// Where two regions meet.
+struct Contact {
+  int count = 0;                                   ///< places
+  Eigen::Matrix3d rays = Eigen::Matrix3d::Zero();  ///< sum of ray ray^T / sigma^2 over them
+
+  Contact& operator+=(const Contact& other) {
+    count += other.count;
+    rays += other.rays;
+    return *this;
+  }
+};
+
 /// Cost of a merge, <= 1 to merge: RSS increase over what offset and correlation allow.
-double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const MergingParameters& parameters,
-                 double pixels_per_sample);
+double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const Contact& contact,
+                 const MergingParameters& parameters, double pixels_per_sample);
 
 /// A weak ridge that keeps one-line regions solvable.
 double weakRidge(const PlaneMoments& moments);
