@@ -21,8 +21,10 @@ double ratio(long part, long whole) {
   return static_cast<double>(part) / static_cast<double>(whole);
 }
 
+// An edge case met exactly counts, although a tolerance such as 0.55 has no exact binary form.
 bool holds(long part, long whole, double tolerance) {
-  return part > 0 && static_cast<double>(part) >= tolerance * static_cast<double>(whole);
+  constexpr double kRounding = 1.0 - 1e-12;
+  return part > 0 && static_cast<double>(part) >= kRounding * tolerance * static_cast<double>(whole);
 }
 
 /// A group of regions that lie, each by the tolerance, in one other region and together fill it: the shape of
