@@ -43,11 +43,13 @@ nlohmann::json planeListJson(const PlaneSegmentation& segmentation, Projection p
   nlohmann::json planes = nlohmann::json::array();
   for (std::size_t k = 0; k < segmentation.planes.size(); ++k)
     planes.push_back(planeJson(k + 1, segmentation.planes[k], contours[k]));
+  const char* frame = "camera x right, y down, z forward";
+  if (projection == Projection::PerspectiveBackward) frame = "camera x right, y up, z backward";
+  if (projection == Projection::Spherical) frame = "spherical scan x forward, y left, z up";
   return {{"version", 1},
           {"width", segmentation.width},
           {"height", segmentation.height},
-          {"frame", projection == Projection::Perspective ? "camera x right, y down, z forward"
-                                                          : "spherical scan x forward, y left, z up"},
+          {"frame", frame},
           {"planes", planes}};
 }
 

@@ -49,9 +49,11 @@ std::vector<double> visibleAreas(const DepthFrame& frame, const PlaneSegmentatio
   return areas;
 }
 
-// Share of the unit normal that points up: y is down in a camera, z is up in a spherical scan.
+// Share of the unit normal that points up: y is down in a camera, up in a backward one, z is up in a spherical scan.
 double upward(const DepthFrame& frame, const Plane& plane) {
-  const double up = frame.projection() == Projection::Perspective ? -plane.coefficients.y() : plane.coefficients.z();
+  double up = -plane.coefficients.y();
+  if (frame.projection() == Projection::PerspectiveBackward) up = plane.coefficients.y();
+  if (frame.projection() == Projection::Spherical) up = plane.coefficients.z();
   return std::clamp(up, -1.0, 1.0);
 }
 

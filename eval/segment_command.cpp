@@ -80,11 +80,12 @@ std::string heading(const SegmentInput& input, const LoadedFrame& loaded, const 
 }
 
 std::string timingLine(double reading, const StageTimes& times, double writing) {
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "  time: reading %.1f ms, segmentation %.1f ms (lines %.1f, planes %.1f, result %.1f), writing %.1f ms\n",
-      1e3 * reading, 1e3 * times.total(), 1e3 * times.lines, 1e3 * times.planes, 1e3 * times.result, 1e3 * writing);
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "  time: reading %.1f ms, segmentation %.1f ms (read %.1f, lines %.1f, planes %.1f, regions %.1f, "
+                "result %.1f), writing %.1f ms\n",
+                1e3 * reading, 1e3 * times.total(), 1e3 * times.read, 1e3 * times.lines, 1e3 * times.planes,
+                1e3 * times.regions, 1e3 * times.result, 1e3 * writing);
   return text;
 }
 

@@ -94,29 +94,10 @@ DepthImage depthOfCloud(const OrganizedCloud& cloud, Projection projection) {
     const float x = cloud.xyz[i];
     const float y = cloud.xyz[i + 1];
     const float z = cloud.xyz[i + 2];
-    const float value = projection == Projection::Perspective ? z : std::hypot(x, y, z);
+    const float value = isPerspective(projection) ? std::abs(z) : std::hypot(x, y, z);
     depth.data.push_back(std::isfinite(value) && value > 0.0F ? value : 0.0F);
   }
   return depth;
-}
-
-// Clouds from computer graphics have y up and look along -z: most points have z < 0. PCL's own sample
-// milk_cartoon_all_small_clorox.pcd is one, and its VIEWPOINT does not tell.
-bool looksBackwards(const std::vector<float>& xyz) {
-  std::size_t behind = 0;
-  std::size_t before = 0;
-  for (std::size_t i = 2; i < xyz.size(); i += 3) {
-    if (xyz[i] < 0.0F) ++behind;
-    if (xyz[i] > 0.0F) ++before;
-  }
-  return behind > before;
-}
-
-void halfTurnAboutX(std::vector<float>& xyz) {
-  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3) {
-    xyz[i + 1] = -xyz[i + 1];
-    xyz[i + 2] = -xyz[i + 2];
-  }
 }
 
 LoadedFrame loadCloud(const SegmentInput& input) {
@@ -125,7 +106,6 @@ LoadedFrame loadCloud(const SegmentInput& input) {
   loaded.width = cloud.width;
   loaded.height = cloud.height;
   loaded.projection = detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height);
-  if (loaded.projection == Projection::Perspective && looksBackwards(cloud.xyz)) halfTurnAboutX(cloud.xyz);
   loaded.depth = depthOfCloud(cloud, loaded.projection);
   loaded.xyz = std::move(cloud.xyz);
   return loaded;

@@ -23,9 +23,11 @@ constexpr const char* kFooter =
 // The options as typed, before they are checked against each other.
 struct RawOptions {
   std::optional<double> fx, fy, cx, cy, depth_scale;
-  std::string mode = "paper";
-  std::string scan = "columns";
-  std::string criterion = "a";
+  std::string mode = "default";
+  std::string scan;  // empty: the mode's own
+  std::optional<double> line_k_max, plane_k_max, max_gap;
+  std::optional<int> min_points;
+  std::string criterion;
 };
 
 // Help without CLI11's lists of what an option needs and excludes: they are longer than the help itself.
@@ -57,13 +59,13 @@ std::string checkNoise(const std::string& text) {
 }
 
 std::string checkMode(const std::string& text) {
-  if (text == "default") return "the mode 'default' is not available yet; use 'paper'";
-  return text == "paper" ? std::string() : "unknown mode '" + text + "'; use 'paper'";
+  const bool known = text == "default" || text == "paper";
+  return known ? std::string() : "unknown mode '" + text + "'; use 'default' or 'paper'";
 }
 
 std::string checkScan(const std::string& text) {
-  if (text == "both") return "'both' belongs to the default mode, which is not available yet; use 'columns' or 'rows'";
-  return text == "columns" || text == "rows" ? std::string() : "'" + text + "' is neither 'columns' nor 'rows'";
+  const bool known = text == "columns" || text == "rows" || text == "both";
+  return known ? std::string() : "'" + text + "' is none of 'columns', 'rows', 'both'";
 }
 
 std::string checkCriterion(const std::string& text) {
@@ -100,15 +102,15 @@ void addMethodOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
   const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
     return app.add_option(name, value, text)->type_name(type)->group("Method");
   };
-  add("--mode", raw.mode, "MODE", "paper (the only one so far)")->check(checkMode);
+  add("--mode", raw.mode, "MODE", "default | paper (default)")->check(checkMode);
   add("--noise", options.noise, "NOISE", "Sensor: PRESET | A,B,L | poly:K1,K2,K3 (else the frame's own, else d435i)")
       ->check(checkNoise);
-  add("--scan", raw.scan, "WHICH", "Scan lines: columns | rows (columns)")->check(checkScan);
-  add("--line-k-max", p.line.k_max, "K", "k_max of Eq. 20 (2)")->check(checkFinite);
-  add("--plane-k-max", p.plane.k_max, "K", "k_max of Eq. 23 (3)")->check(checkFinite);
-  add("--max-gap", p.plane.max_gap, "D1", "Gap within a plane beyond the noise, metres (0.15)")->check(checkFinite);
-  add("--min-points", p.plane.min_points, "N", "Planes with fewer pixels are dropped (0)");
-  add("--criterion", raw.criterion, "a|b|c|d", "Form of the criterion, Table 2 (a)")->check(checkCriterion);
+  add("--scan", raw.scan, "WHICH", "Scan lines: columns | rows | both (both; paper: columns)")->check(checkScan);
+  add("--line-k-max", raw.line_k_max, "K", "Gate of a line, in sigma (1.5; paper, Eq. 20: 2)")->check(checkFinite);
+  add("--plane-k-max", raw.plane_k_max, "K", "Gate of a plane, in sigma (2; paper, Eq. 23: 3)")->check(checkFinite);
+  add("--max-gap", raw.max_gap, "D1", "Paper: gap within a plane beyond the noise, metres (0.15)")->check(checkFinite);
+  add("--min-points", raw.min_points, "N", "Planes with fewer pixels are dropped (60; paper: 0)");
+  add("--criterion", raw.criterion, "a|b|c|d", "Paper: form of the criterion, Table 2 (a)")->check(checkCriterion);
   add("--threads", p.threads, "N", "Threads; the result does not depend on them (1)");
 }
 
@@ -126,14 +128,30 @@ void addOutputOptions(CLI::App& app, SegmentOptions& options) {
   app.add_flag("--timing", options.timing, "Print the time of each stage")->group("Output");
 }
 
+// The method's options, each in its mode. Empty if all is well, else what is wrong.
+std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
+  const bool paper = raw.mode == "paper";
+  const int threads = parameters.threads;
+  parameters = paper ? Parameters::paper() : Parameters();
+  parameters.threads = threads;
+  if (!paper && raw.max_gap) return "--max-gap belongs to the paper mode";
+  if (!paper && !raw.criterion.empty()) return "--criterion belongs to the paper mode";
+  if (raw.scan == "columns") parameters.scan = ScanDirection::Columns;
+  if (raw.scan == "rows") parameters.scan = ScanDirection::Rows;
+  if (raw.scan == "both") parameters.scan = ScanDirection::Both;
+  if (raw.line_k_max) (paper ? parameters.line.k_max : parameters.line_growing.k_max) = *raw.line_k_max;
+  if (raw.plane_k_max) (paper ? parameters.plane.k_max : parameters.plane_growing.k_max) = *raw.plane_k_max;
+  if (raw.max_gap) parameters.plane.max_gap = *raw.max_gap;
+  if (raw.min_points) (paper ? parameters.plane.min_points : parameters.evidence.min_points) = *raw.min_points;
+  if (!raw.criterion.empty()) parameters.plane.criterion = static_cast<PlaneCriterion>(raw.criterion[0] - 'a');
+  return parameters.validate();
+}
+
 // Empty if all is well, else what is wrong.
 std::string settle(const RawOptions& raw, SegmentOptions& options) {
   if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
   if (!options.noise.empty()) options.sensor = SensorModel::parse(options.noise);
-  options.parameters.mode = Mode::Paper;
-  options.parameters.scan = raw.scan == "rows" ? ScanDirection::Rows : ScanDirection::Columns;
-  options.parameters.plane.criterion = static_cast<PlaneCriterion>(raw.criterion[0] - 'a');
-  const std::string problem = options.parameters.validate();
+  const std::string problem = settleMethod(raw, options.parameters);
   if (!problem.empty()) return problem;
   if (options.inputs.size() > 1 && options.namesOutputs()) {
     return "--labels, --planes, --overlay and --cloud take a single input; use --out DIR for several";

@@ -68,7 +68,8 @@ bool DepthFrame::sensorPoint(std::size_t pixel, int row, int column, double& x, 
   x = static_cast<double>(p[0]);
   y = static_cast<double>(p[1]);
   z = static_cast<double>(p[2]);
-  return projection_ == Projection::Perspective ? z > 0.0 : x * x + y * y + z * z > 0.0;
+  if (projection_ == Projection::Spherical) return x * x + y * y + z * z > 0.0;
+  return projection_ == Projection::Perspective ? z > 0.0 : z < 0.0;
 }
 
 bool DepthFrame::scanPoint(int row, int column, Eigen::Vector3d& point) const {
@@ -80,6 +81,10 @@ bool DepthFrame::scanPoint(int row, int column, Eigen::Vector3d& point) const {
     x = -y;
     y = -z;
     z = forward;
+  }
+  if (projection_ == Projection::PerspectiveBackward) {
+    y = -y;
+    z = -z;
   }
   if (transposed_) std::swap(x, y);
   point = Eigen::Vector3d(x, y, z);
@@ -98,6 +103,7 @@ Projection detectProjection(const float* xyz, std::size_t stride, int width, int
   double perspective_change = 0.0;
   double spherical_change = 0.0;
   long pairs = 0;
+  long points = 0;
   long behind = 0;
   const int column_step = width > 64 ? width / 64 : 1;
   for (int column = 0; column < width; column += column_step) {
@@ -111,23 +117,25 @@ Projection detectProjection(const float* xyz, std::size_t stride, int width, int
       const double y = static_cast<double>(p[1]);
       const double z = static_cast<double>(p[2]);
       if (x == 0.0 && y == 0.0 && z == 0.0) continue;
+      ++points;
       if (z <= 0.0) ++behind;
-      const double perspective = std::atan2(x, z);
-      const double spherical = std::atan2(y, x);
+      const double perspective_angle = std::atan2(x, z);
+      const double spherical_angle = std::atan2(y, x);
       if (have_last) {
-        perspective_change += std::abs(std::remainder(perspective - last_perspective, 2.0 * M_PI));
-        spherical_change += std::abs(std::remainder(spherical - last_spherical, 2.0 * M_PI));
+        perspective_change += std::abs(std::remainder(perspective_angle - last_perspective, 2.0 * M_PI));
+        spherical_change += std::abs(std::remainder(spherical_angle - last_spherical, 2.0 * M_PI));
         ++pairs;
       }
-      last_perspective = perspective;
-      last_spherical = spherical;
+      last_perspective = perspective_angle;
+      last_spherical = spherical_angle;
       have_last = true;
     }
   }
-  // A perspective camera sees nothing behind itself; ten times clearer is clear enough.
+  // A camera sees one side of z = 0 only; ten times clearer is clear enough.
+  const Projection perspective = 2 * behind > points ? Projection::PerspectiveBackward : Projection::Perspective;
   if (pairs < 16) return Projection::Perspective;
-  if (behind == 0 && spherical_change > 0.1 * perspective_change) return Projection::Perspective;
-  return spherical_change < perspective_change ? Projection::Spherical : Projection::Perspective;
+  if ((behind == 0 || behind == points) && spherical_change > 0.1 * perspective_change) return perspective;
+  return spherical_change < perspective_change ? Projection::Spherical : perspective;
 }
 
 }  // namespace epcc

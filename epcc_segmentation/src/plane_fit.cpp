@@ -85,7 +85,7 @@ void fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_cou
     for (int column = 0; column < frame.width(); ++column) {
       const std::int32_t label = segmentation.labels[frame.index(row, column)];
       if (label <= 0 || !frame.point(row, column, p)) continue;
-      const double sigma = sensor.sigmaZ(frame.projection() == Projection::Perspective ? p.z() : p.norm());
+      const double sigma = sensor.sigmaZ(isPerspective(frame.projection()) ? std::abs(p.z()) : p.norm());
       moments[static_cast<std::size_t>(label - 1)].add(p, 1.0 / (sigma * sigma));
     }
 

@@ -25,7 +25,7 @@ RenderedRoom noisyRoom(unsigned seed = 1, int width = 160, int height = 120) {
   return room;
 }
 
-PlaneSegmentation extract(const DepthFrame& frame, const Parameters& parameters = {},
+PlaneSegmentation extract(const DepthFrame& frame, const Parameters& parameters = Parameters::paper(),
                           const SensorModel& sensor = SensorModel()) {
   PlaneExtractor extractor(parameters, sensor);
   PlaneSegmentation result;
@@ -51,7 +51,7 @@ TEST(PlaneExtractor, ExactRoomIsItsThreePlanes) {
   const auto planes = epcc::test::cornerPlanes();
   const auto room = epcc::test::renderRoom(planes, epcc::test::testCamera());
   for (const ScanDirection scan : {ScanDirection::Columns, ScanDirection::Rows}) {
-    Parameters parameters;
+    Parameters parameters = Parameters::paper();
     parameters.scan = scan;
     const auto result = extract(room.frame(), parameters, *SensorModel::preset("rendered"));
     ASSERT_EQ(result.planes.size(), 3u);
@@ -85,7 +85,8 @@ TEST(PlaneExtractor, TransposingTheImageAndSwappingTheScanTransposesTheLabels) {
     for (int row = 0; row < camera.height; ++row)
       transposed.depth.push_back(room.depth[static_cast<std::size_t>(row * camera.width + column)]);
   for (const bool by_rows : {false, true}) {
-    Parameters parameters, swapped;
+    Parameters parameters = Parameters::paper();
+    Parameters swapped = parameters;
     (by_rows ? parameters : swapped).scan = ScanDirection::Rows;
     const auto result = extract(room.frame(), parameters);
     const auto result_transposed = extract(transposed.frame(), swapped);
@@ -103,7 +104,7 @@ TEST(PlaneExtractor, TransposingTheImageAndSwappingTheScanTransposesTheLabels) {
 
 TEST(PlaneExtractor, ScalingDepthNoiseAndGapTogetherKeepsTheLabels) {
   const auto room = noisyRoom();
-  Parameters parameters;
+  Parameters parameters = Parameters::paper();
   const auto result = extract(room.frame(), parameters);
   RenderedRoom scaled = room;
   const float s = 4.0f;
@@ -136,7 +137,7 @@ TEST(PlaneExtractor, TheNumberOfThreadsChangesNothing) {
   const auto room = noisyRoom();
   const auto one = extract(room.frame());
   for (const int threads : {2, 3, 200}) {
-    Parameters parameters;
+    Parameters parameters = Parameters::paper();
     parameters.threads = threads;
     EXPECT_EQ(extract(room.frame(), parameters).labels, one.labels) << threads;
   }
@@ -173,7 +174,7 @@ TEST(PlaneExtractor, MinPointsDropsSmallPlanes) {
   const auto room = noisyRoom();
   const auto all = extract(room.frame());
   ASSERT_GE(all.planes.size(), 3u);
-  Parameters parameters;
+  Parameters parameters = Parameters::paper();
   parameters.plane.min_points = static_cast<int>(all.planes[0].pixel_count);
   const auto result = extract(room.frame(), parameters);
   ASSERT_EQ(result.planes.size(), 1u);

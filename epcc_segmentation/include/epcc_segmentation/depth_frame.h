@@ -24,9 +24,15 @@ struct PinholeCamera {
 
 /// How the pixels of an organized measurement see the world.
 enum class Projection {
-  Perspective,  ///< measured value z along the optical axis; columns and rows are planar sections
+  Perspective,          ///< measured value z along the optical axis; columns and rows are planar sections
+  PerspectiveBackward,  ///< the same seen along -z with y up, as in computer graphics: valid points have z < 0
   Spherical  ///< measured value range; columns (fixed azimuth about the z-up axis) are planar sections, rows are cones
 };
+
+/// True if the measured value is a distance along the optical axis.
+inline bool isPerspective(Projection projection) {
+  return projection != Projection::Spherical;
+}
 
 /// Non-owning view; the data must outlive it. Row-major. Cheap to copy.
 ///
@@ -38,7 +44,8 @@ class DepthFrame {
   /// Depth image in metres, camera.width * camera.height values; <= 0, NaN and Inf are invalid.
   static DepthFrame fromDepth(const float* depth, const PinholeCamera& camera);
   /// Organized cloud: x, y, z at `xyz + stride * (row * width + column)`, stride in floats.
-  /// Perspective clouds are in the camera frame; spherical ones x forward, y left, z up.
+  /// Perspective clouds are in the camera frame (x right, y down, z forward; backward ones x right, y up, z back);
+  /// spherical ones x forward, y left, z up.
   static DepthFrame fromPoints(const float* xyz, std::size_t stride, int width, int height, Projection projection);
 
   /// Pixels with mask[row * width + column] == 0 count as invalid; nullptr: none.
@@ -64,7 +71,7 @@ class DepthFrame {
   bool point(int row, int column, Eigen::Vector3d& point) const;
   /// The measured value of a point of the scan frame: z, or the range.
   double measuredDepth(const Eigen::Vector3d& scan_point) const {
-    return projection_ == Projection::Perspective ? scan_point.z() : scan_point.norm();
+    return isPerspective(projection_) ? scan_point.z() : scan_point.norm();
   }
 
  private:
@@ -84,9 +91,9 @@ class DepthFrame {
   bool transposed_ = false;
 };
 
-/// Finds out whether an organized cloud is a perspective or a spherical measurement: along the
-/// columns of the one x/z is constant, along those of the other the azimuth atan2(y, x).
-/// Clouds with too few points count as perspective.
+/// Finds out what kind of measurement an organized cloud is: along the columns of a perspective one x/z is constant,
+/// along those of a spherical one the azimuth atan2(y, x). A perspective cloud most of whose points have z < 0 looks
+/// backward. Clouds with too few points count as perspective.
 Projection detectProjection(const float* xyz, std::size_t stride, int width, int height);
 
 }  // namespace epcc

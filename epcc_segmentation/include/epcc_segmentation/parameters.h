@@ -150,8 +150,9 @@ struct EvidenceParameters {
 
 /// Everything that steers a segmentation, but for the sensor model.
 struct Parameters {
-  Mode mode = Mode::Paper;
-  ScanDirection scan = ScanDirection::Columns;
+  Mode mode = Mode::Default;
+  /// Spherical scans have planar columns only: Both means Columns there.
+  ScanDirection scan = ScanDirection::Both;
   // Paper mode.
   LineClusteringParameters line;
   PlaneClusteringParameters plane;
@@ -164,6 +165,13 @@ struct Parameters {
   /// Threads for the scan lines; the result does not depend on it. [1, 256]
   int threads = 1;
 
+  /// The paper's: its mode, columns, k_max = 2 and 3, d_1 = 15 cm.
+  static Parameters paper() {
+    Parameters parameters;
+    parameters.mode = Mode::Paper;
+    parameters.scan = ScanDirection::Columns;
+    return parameters;
+  }
   /// Empty if every value is in its range, else the first thing that is wrong, in words.
   std::string validate() const;
 };

@@ -10,7 +10,7 @@ namespace epcc {
 void InverseDepthImage::read(const DepthFrame& frame, const SensorModel& sensor) {
   width = frame.width();
   height = frame.height();
-  planar_rows = frame.projection() == Projection::Perspective;
+  planar_rows = isPerspective(frame.projection());
   noise = InverseDepthNoise::of(sensor);
   readDepths(frame);
   transpose();

@@ -68,7 +68,7 @@ void PlaneClustering::finish() {
 
 PlaneClustering::Segment PlaneClustering::makeSegment(const LineSegment& line_segment) const {
   const auto depth = [this](const Eigen::Vector3d& p) {
-    return projection_ == Projection::Perspective ? p.z() : p.norm();
+    return isPerspective(projection_) ? p.z() : p.norm();
   };
   Segment segment;
   segment.a = line_segment.a;

@@ -191,7 +191,7 @@ typename EPCCSegmentation<PointT>::Status EPCCSegmentation<PointT>::checkSetting
   used_projection_ = projection_ ? *projection_
                                  : detectProjection(&input_->points.front().x, sizeof(PointT) / sizeof(float),
                                                     static_cast<int>(input_->width), static_cast<int>(input_->height));
-  if (used_projection_ == Projection::Spherical && parameters_.scan != ScanDirection::Columns) {
+  if (used_projection_ == Projection::Spherical && parameters_.scan == ScanDirection::Rows) {
     what = "the rows of a spherical scan are cones: scan it by columns";
     return Status::UnsupportedScan;
   }
