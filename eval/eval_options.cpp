@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, checks and help texts of the options of epcc_eval.
+#include "eval/eval_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "baselines/registry.h"
+#include "datasets/input_error.h"
+#include "eval/segment_options.h"
+
+namespace epcc {
+namespace {
+
+constexpr const char* kDescription =
+    "Scores plane segmentation methods on labelled frames.\n"
+    "DATASET is a folder of frames NAME_depth.png, NAME_labels.png, NAME.json; its name is the folder's.";
+
+constexpr const char* kFooter =
+    "Exit codes: 0 done (frames that could not be scored are counted and named), 2 wrong usage, 3 no frame could be\n"
+    "scored or, with --strict, any could not, 4 an output could not be written.";
+
+/// The options as typed.
+struct RawOptions {
+  std::vector<std::string> datasets;
+  std::vector<std::string> predictions;
+  std::string methods;
+  std::string noise;
+};
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
+}
+
+/// Throws ParseError in words; a folder's name for a method must be usable as a folder's name in --out.
+void require(bool condition, const std::string& problem) {
+  if (!condition) throw CLI::ValidationError(problem);
+}
+
+void settleMethods(const std::string& list, EvalOptions& options) {
+  if (list == "none") return;
+  const std::vector<std::string> known = segmenterNames();
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) {
+    require(std::find(known.begin(), known.end(), word) != known.end(),
+            "--methods: there is no method '" + word + "'; there are " + joined(known) + ", or none");
+    require(std::find(options.methods.begin(), options.methods.end(), word) == options.methods.end(),
+            "--methods: '" + word + "' is named twice");
+    options.methods.push_back(word);
+  }
+}
+
+/// NAME=DIR where NAME can name a folder; anything else after --predictions is a DATASET.
+bool isPrediction(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  return equals != std::string::npos && text.substr(0, equals).find('/') == std::string::npos;
+}
+
+void settlePredictions(const RawOptions& raw, EvalOptions& options) {
+  std::set<std::string> names(options.methods.begin(), options.methods.end());
+  for (const std::string& text : raw.predictions) {
+    if (!isPrediction(text)) {
+      options.datasets.push_back(text);
+      continue;
+    }
+    const Predictions predictions{text.substr(0, text.find('=')), text.substr(text.find('=') + 1)};
+    const std::string& name = predictions.name;
+    require(!name.empty() && name != "." && name != ".." && !predictions.folder.empty(),
+            "--predictions: '" + text + "' is not NAME=DIR");
+    require(names.insert(name).second, "--predictions: there are two methods '" + name + "'");
+    options.predictions.push_back(predictions);
+  }
+}
+
+/// Writing the labels of an imported method over themselves would destroy the user's files.
+void keepPredictions(const EvalOptions& options) {
+  namespace fs = std::filesystem;
+  if (options.out.empty()) return;
+  for (const Predictions& predictions : options.predictions) {
+    std::error_code error;
+    const fs::path target = fs::path(options.out) / "labels" / predictions.name;
+    require(fs::weakly_canonical(target, error) != fs::weakly_canonical(predictions.folder, error),
+            "--predictions: " + predictions.folder + " would be overwritten; choose another NAME or --out");
+  }
+}
+
+void settle(const RawOptions& raw, EvalOptions& options) {
+  options.datasets = raw.datasets;
+  settleMethods(raw.methods, options);
+  settlePredictions(raw, options);
+  require(!options.datasets.empty(), "name at least one DATASET");
+  require(!options.methods.empty() || !options.predictions.empty(), "there is no method to score");
+  require(!options.overlays || !options.out.empty(), "--overlays needs --out");
+  keepPredictions(options);
+  if (options.jobs == 0) options.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (raw.noise.empty()) return;
+  std::string why;
+  options.sensor = SensorModel::parse(raw.noise, &why);
+  require(options.sensor.has_value(), "--noise: " + why);
+}
+
+void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
+  raw.methods = joined(segmenterNames());
+  app.add_option("DATASET", raw.datasets, "Folders of labelled frames")->type_name("");
+  app.add_option("--methods", raw.methods, "Methods, or none (" + raw.methods + ")")->type_name("A,B,...");
+  app.add_option("--predictions", raw.predictions,
+                 "Label images DIR/NAME_labels.png of another program, scored as method NAME")
+      ->type_name("NAME=DIR ...");
+  app.add_option("--noise", raw.noise, "Sensor: PRESET | A,B,L | poly:K1,K2,K3 (else the frame's own, else d435i)")
+      ->type_name("NOISE");
+  app.add_option("--out", options.out, "Folder for summary.json, summary.md, frames.csv and labels/METHOD/")
+      ->type_name("DIR");
+  app.add_option("--jobs", options.jobs, "Frames at a time, 0 = one a core (1; more disturb the times)")
+      ->type_name("J")
+      ->check(CLI::Range(0, 1024));
+  app.add_flag("--overlays", options.overlays, "A picture of each frame: depth, truth, every method");
+  app.add_flag("--strict", options.strict, "Exit code 3 if any frame could not be scored");
+}
+
+}  // namespace
+
+std::optional<int> parseEvalOptions(int argc, const char* const* argv, EvalOptions& options, std::ostream& out,
+                                    std::ostream& err) {
+  CLI::App app(kDescription, "epcc_eval");
+  app.footer(kFooter);
+  app.set_version_flag("--version", std::string("epcc_eval ") + EPCC_VERSION);
+  RawOptions raw;
+  addOptions(app, options, raw);
+  try {
+    app.parse(argc, argv);
+    settle(raw, options);
+  } catch (const CLI::CallForHelp&) {
+    out << app.help();
+    return kExitDone;
+  } catch (const CLI::CallForVersion& version) {
+    out << version.what() << '\n';
+    return kExitDone;
+  } catch (const CLI::ParseError& error) {
+    err << "epcc_eval: " << printable(error.what(), 1000) << " (see epcc_eval --help)\n";
+    return kExitUsage;
+  }
+  return std::nullopt;
+}
+
+}  // namespace epcc

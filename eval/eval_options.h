@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of epcc_eval.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "epcc_segmentation/sensor_model.h"
+
+namespace epcc {
+
+/// A method whose label images lie in a folder.
+struct Predictions {
+  std::string name;
+  std::string folder;
+};
+
+/// What epcc_eval is asked to do.
+struct EvalOptions {
+  std::vector<std::string> datasets;  ///< folders
+  std::vector<std::string> methods;   ///< of segmenterNames(), each once
+  std::vector<Predictions> predictions;
+  std::optional<SensorModel> sensor;  ///< nothing: the frame's own, else the default
+  std::string out;                    ///< folder; empty: the tables are printed only
+  int jobs = 1;
+  bool overlays = false;
+  bool strict = false;
+};
+
+/// Reads the command line. Returns an exit code if the program is done (help, version, or an error that has been
+/// reported on `err` in one line), nothing if `options` is to be carried out.
+std::optional<int> parseEvalOptions(int argc, const char* const* argv, EvalOptions& options, std::ostream& out,
+                                    std::ostream& err);
+
+}  // namespace epcc

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rate and time left from the frames done so far.
+#include "eval/eval_progress.h"
+
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+namespace epcc {
+
+std::string progressText(std::size_t done, std::size_t total, double seconds) {
+  const std::string count = std::to_string(done) + "/" + std::to_string(total) + " frames";
+  if (done == 0 || !(seconds > 0.0)) return count;
+  const double rate = static_cast<double>(done) / seconds;
+  const long left = std::lround(static_cast<double>(total - done) / rate);
+  char text[96];
+  if (left >= 3600)
+    std::snprintf(text, sizeof text, ", %.3g per second, %ld:%02ld:%02ld left", rate, left / 3600, left / 60 % 60,
+                  left % 60);
+  else
+    std::snprintf(text, sizeof text, ", %.3g per second, %ld:%02ld left", rate, left / 60, left % 60);
+  return count + text;
+}
+
+EvalProgress::EvalProgress(std::size_t total, std::ostream& err, bool on)
+    : total_(total), err_(err), on_(on), start_(std::chrono::steady_clock::now()) {}
+
+void EvalProgress::show(std::size_t done) {
+  if (!on_) return;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  err_ << "\r\033[K" << progressText(done, total_, seconds) << std::flush;
+}
+
+void EvalProgress::clear() {
+  if (on_) err_ << "\r\033[K" << std::flush;
+}
+
+}  // namespace epcc

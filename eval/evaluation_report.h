@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables and files that epcc_eval leaves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "eval/experiment_summary.h"
+#include "eval/table.h"
+
+namespace epcc {
+
+/// summary.json, version 1: see docs/evaluation.md. median_ms is null where no time is known.
+std::string summaryJson(const std::vector<SummaryRow>& rows);
+
+/// Sums by data set and method, the columns of summary.json.
+Table countsTable(const std::vector<SummaryRow>& rows);
+/// Shares and means by data set and method.
+Table ratesTable(const std::vector<SummaryRow>& rows);
+
+/// One row a frame and method, to be filled row by row.
+Table emptyFramesTable();
+void addFrameRow(const FrameRecord& record, Table& table);
+
+/// Both tables, totals if there are several data sets, and the errors by name.
+std::string summaryMarkdown(const ExperimentSummary& summary, const std::vector<std::string>& problems);
+/// Both tables for the terminal, with totals if there are several data sets.
+std::string summaryText(const ExperimentSummary& summary);
+
+}  // namespace epcc
