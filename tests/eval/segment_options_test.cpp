@@ -72,7 +72,8 @@ TEST_F(SegmentOptions, EmptyValue) {
 
 TEST_F(SegmentOptions, Mode) {
   good({"--mode", "paper"});
-  usage({"--mode", "default"}, "not available yet");
+  good({"--mode", "default"});
+  EXPECT_EQ(good({}).out, good({"--mode", "default"}).out);
   usage({"--mode", "fast"}, "unknown mode 'fast'");
 }
 
@@ -99,20 +100,29 @@ TEST_F(SegmentOptions, NoisePresetOfTheFrame) {
 TEST_F(SegmentOptions, Scan) {
   good({"--scan", "columns"});
   good({"--scan", "rows"});
-  usage({"--scan", "both"}, "belongs to the default mode");
+  good({"--scan", "both"});
+  usage({"--mode", "paper", "--scan", "both"}, "paper mode scans columns or rows");
   usage({"--scan", "diagonal"}, "diagonal");
 }
 
 TEST_F(SegmentOptions, Criterion) {
-  for (const char* criterion : {"a", "b", "c", "d"}) good({"--criterion", criterion});
+  for (const char* criterion : {"a", "b", "c", "d"}) good({"--mode", "paper", "--criterion", criterion});
+  usage({"--criterion", "a"}, "--criterion belongs to the paper mode");
   usage({"--criterion", "e"}, "'e'");
   usage({"--criterion", "ab"}, "'ab'");
 }
 
 TEST_F(SegmentOptions, Numbers) {
-  good({"--line-k-max", "2.5", "--plane-k-max", "2", "--max-gap", "0.1", "--min-points", "5", "--threads", "2"});
-  for (const char* option : {"--line-k-max", "--plane-k-max", "--max-gap"}) {
-    for (const char* value : {"nan", "inf", "-1", "1e999", "two", "", "1.5x"}) usage({option, value}, "");
+  good({"--mode", "paper", "--line-k-max", "2.5", "--plane-k-max", "2", "--max-gap", "0.1", "--min-points", "5",
+        "--threads", "2"});
+  good({"--line-k-max", "1.4", "--plane-k-max", "2.1", "--min-points", "100"});
+  usage({"--max-gap", "0.1"}, "--max-gap belongs to the paper mode");
+  for (const char* mode : {"default", "paper"}) {
+    for (const char* option : {"--line-k-max", "--plane-k-max", "--max-gap"}) {
+      for (const char* value : {"nan", "inf", "-1", "1e999", "two", "", "1.5x"}) {
+        usage({"--mode", mode, option, value}, "");
+      }
+    }
   }
   usage({"--line-k-max", "0"}, "k_max");
   for (const char* option : {"--min-points", "--threads"}) {

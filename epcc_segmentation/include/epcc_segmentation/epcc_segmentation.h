@@ -78,12 +78,17 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
   void setIndices(std::size_t row_start, std::size_t col_start, std::size_t nb_rows, std::size_t nb_cols) override;
 
   /// Mode::Paper: Algorithms 1 and 2 as published. Mode::Default: inverse depth, made for the correlated error of
-  /// real sensors. Initially as in Parameters. Where a setter says so, it matters in one mode only.
-  void setMode(Mode mode) { change(parameters_.mode, mode); }
+  /// real sensors (the default). Paper mode scans columns where both directions were asked for before. Where a setter
+  /// says so, it matters in one mode only.
+  void setMode(Mode mode) {
+    change(parameters_.mode, mode);
+    if (mode == Mode::Paper && parameters_.scan == ScanDirection::Both)
+      change(parameters_.scan, ScanDirection::Columns);
+  }
   Mode getMode() const { return parameters_.mode; }
 
-  /// Scan lines along the image's columns (default) or rows (Sec. 7.2), or both (Mode::Default only). A spherical
-  /// scan has only columns.
+  /// Scan lines along the image's columns or rows (Sec. 7.2), or both (Mode::Default only, and its default). A
+  /// spherical scan has only columns: rows are an error, both means columns.
   void setScanDirection(ScanDirection direction) { change(parameters_.scan, direction); }
   ScanDirection getScanDirection() const { return parameters_.scan; }
 
