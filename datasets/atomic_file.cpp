@@ -2,26 +2,39 @@
 // Write beside the target, then rename.
 #include "datasets/atomic_file.h"
 
-#include <unistd.h>
-
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "datasets/input_error.h"
 
 namespace epcc {
 
+namespace {
+
+/// A hidden name in the same folder that no other process, on this machine or another, uses at the same time. It does
+/// not grow with the target's name, which may be as long as the file system allows.
+std::string temporaryName(const std::filesystem::path& folder) {
+  std::random_device random;
+  std::string name = ".epcc-";
+  for (int i = 0; i < 4; ++i) name += std::to_string(random()) + (i < 3 ? "-" : ".tmp");
+  return (folder / name).string();
+}
+
+}  // namespace
+
 void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write) {
   namespace fs = std::filesystem;
-  static std::atomic<unsigned> counter{0};
   std::error_code code;
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, code)) throw OutputError(path, "folder", "does not exist");
   if (fs::is_directory(path, code)) throw OutputError(path, "file", "is a folder");
-  const std::string temporary = path + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(counter++);
+  // A rename would replace a device such as /dev/null.
+  if (fs::exists(path, code) && !fs::is_regular_file(path, code))
+    throw OutputError(path, "file", "is not a regular file");
+  const std::string temporary = temporaryName(folder);
   try {
     write(temporary);
     fs::rename(temporary, path, code);

@@ -3,7 +3,6 @@
 #include "datasets/camera_json.h"
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -17,14 +16,10 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 16u << 20;
 constexpr int kDeepestNesting = 100;
+constexpr double kLargestDepthScale = 1000.0;
 
 std::string readText(const std::string& path) {
-  std::error_code code;
-  if (std::filesystem::is_directory(path, code)) throw InputError(path, "file", "is a folder");
-  const auto size = std::filesystem::file_size(path, code);
-  if (code) throw InputError(path, "file", code.message());
-  if (size == 0) throw InputError(path, "file", "is empty");
-  if (size > kLargestFile) throw InputError(path, "file", "is larger than 16 MiB");
+  if (inputFileSize(path) > kLargestFile) throw InputError(path, "file", "is larger than 16 MiB");
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
@@ -89,6 +84,7 @@ CameraFile readCameraJson(const std::string& path) {
   file.camera.cx = number(path, json, "cx");
   file.camera.cy = number(path, json, "cy");
   file.depth_scale = positive(path, json, "depth_scale");
+  if (file.depth_scale > kLargestDepthScale) throw InputError(path, "depth_scale", "is more than 1000 m a unit");
   file.name = text(path, json, "name").value_or("");
   file.noise = text(path, json, "noise");
   for (const char* key : {"width", "height", "fx", "fy", "cx", "cy", "depth_scale", "name", "noise"}) json.erase(key);
@@ -97,6 +93,10 @@ CameraFile readCameraJson(const std::string& path) {
 }
 
 void writeCameraJson(const std::string& path, const CameraFile& file) {
+  const std::string problem = file.camera.validate();
+  if (!problem.empty()) throw OutputError(path, "camera", problem);
+  if (!(std::isfinite(file.depth_scale) && file.depth_scale > 0.0))
+    throw OutputError(path, "depth_scale", "must be positive");
   nlohmann::json json = file.extra.is_object() ? file.extra : nlohmann::json::object();
   json["width"] = file.camera.width;
   json["height"] = file.camera.height;

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The two errors of the file readers and writers: one clear line naming file and field.
+// The two errors of the file readers and writers: one clear line naming file and field; the check all readers begin
+// with.
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
 namespace epcc {
 
-/// Text fit for one line of a terminal: control characters become '?', long texts are cut.
+/// Text fit for one line of a terminal: control characters and line separators (ASCII, C1 and Unicode in UTF-8)
+/// become '?', long texts are cut.
 std::string printable(const std::string& text, std::size_t longest = 200);
 
 /// A file that cannot be used. what() is "FILE: FIELD: WHAT", always a single line.
@@ -21,6 +24,9 @@ class InputError : public std::runtime_error {
   std::string file_;
   std::string field_;
 };
+
+/// Size of an input file in bytes. InputError if there is none, it is a folder, a device or empty.
+std::uintmax_t inputFileSize(const std::string& path);
 
 /// A file that cannot be written. what() is "FILE: FIELD: WHAT", always a single line.
 class OutputError : public std::runtime_error {

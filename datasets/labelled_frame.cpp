@@ -27,6 +27,13 @@ void checkSize(const std::string& path, const Image<std::uint16_t>& image, const
                        std::to_string(camera.width) + "x" + std::to_string(camera.height));
 }
 
+/// Nothing is written that could not be read back.
+template <typename T>
+void checkSizeToWrite(const std::string& path, const Image<T>& image, const PinholeCamera& camera) {
+  if (image.width != camera.width || image.height != camera.height)
+    throw OutputError(path, "size", "is not that of the camera");
+}
+
 }  // namespace
 
 std::vector<std::string> listLabelledFrames(const std::string& folder) {
@@ -59,10 +66,14 @@ LabelledFrame readLabelledFrame(const std::string& folder, const std::string& na
     frame.labels = readGray16(labels_path);
     checkSize(labels_path, frame.labels, frame.camera.camera);
   }
+  if (code) throw InputError(labels_path, "file", code.message());
   return frame;
 }
 
 void writeLabelledFrame(const std::string& folder, const LabelledFrame& frame) {
+  checkSizeToWrite(pathOf(folder, frame.name, kDepthEnding.c_str()), frame.depth, frame.camera.camera);
+  if (!frame.labels.empty())
+    checkSizeToWrite(pathOf(folder, frame.name, "_labels.png"), frame.labels, frame.camera.camera);
   Image<std::uint16_t> raw(frame.depth.width, frame.depth.height);
   for (std::size_t i = 0; i < raw.data.size(); ++i) {
     const double units = std::round(static_cast<double>(frame.depth.data[i]) / frame.camera.depth_scale);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The payload of a PCD file whose header has been checked: ASCII by rows, the binary forms through PCL.
+// The payload of a PCD file whose header has been checked, read by hand: PCL 1.13's reader parses the header again and
+// trusts it. Writing goes through PCL.
 #include "datasets/organized_pcd.h"
 
-#include <pcl/PCLPointCloud2.h>
 #include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <string_view>
 
 #include "datasets/atomic_file.h"
 #include "datasets/input_error.h"
@@ -73,58 +75,142 @@ std::vector<const PcdField*> wantedFields(const std::string& path, const PcdHead
   return wanted;
 }
 
+/// Single precision; infinite and too large values are as invalid as NaN.
+float floatFrom(double value) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  return std::abs(value) <= largest ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
+}
+
 void store(OrganizedCloud& cloud, std::size_t point, std::size_t wanted_index, double value) {
-  if (wanted_index < 3)
-    cloud.xyz[3 * point + wanted_index] = static_cast<float>(value);
-  else
-    cloud.label[point] = static_cast<float>(value);
+  (wanted_index < 3 ? cloud.xyz[3 * point + wanted_index] : cloud.label[point]) = floatFrom(value);
+}
+
+std::ifstream openPayload(const std::string& path, const PcdHeader& header) {
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(header.data_offset));
+  if (!in) throw InputError(path, "DATA", "cannot be read");
+  return in;
+}
+
+// ---- ASCII ----
+
+bool isBlank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/// Takes the next number off the front of `row`; false if there is none. It does not depend on the locale.
+bool takeNumber(const std::string& path, std::size_t point, std::string_view& row, double& value) {
+  const auto start = std::find_if_not(row.begin(), row.end(), isBlank);
+  const auto end = std::find_if(start, row.end(), isBlank);
+  if (start == end) return false;
+  const char* const last = row.data() + (end - row.begin());
+  const char* first = row.data() + (start - row.begin());
+  const std::string word(first, last);
+  if (*first == '+' && last - first > 1 && first[1] != '-') ++first;
+  const auto parsed = std::from_chars(first, last, value);
+  if (parsed.ec != std::errc() || parsed.ptr != last)
+    throw InputError(path, "DATA",
+                     "'" + printable(word, 40) + "' at point " + std::to_string(point) + " is not a number");
+  row.remove_prefix(static_cast<std::size_t>(end - row.begin()));
+  return true;
+}
+
+/// The next line that is not blank.
+bool nextRow(std::istream& in, std::string& line) {
+  while (std::getline(in, line))
+    if (!std::all_of(line.begin(), line.end(), isBlank)) return true;
+  return false;
 }
 
 void readAscii(const std::string& path, const PcdHeader& header, const std::vector<const PcdField*>& wanted,
                OrganizedCloud& cloud) {
-  std::ifstream in(path, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(header.data_offset));
-  std::vector<int> target;  // per element of a row: index into wanted or -1
-  for (const auto& field : header.fields)
-    for (int k = 0; k < field.count; ++k) {
-      target.push_back(-1);
-      for (std::size_t i = 0; i < wanted.size(); ++i)
-        if (wanted[i] == &field) target.back() = static_cast<int>(i);
-    }
-  std::string word;
-  for (std::size_t point = 0; point < header.points(); ++point)
-    for (const int index : target) {
-      if (!(in >> word)) throw InputError(path, "DATA", "ends at point " + std::to_string(point));
-      char* end = nullptr;
-      const double value = std::strtod(word.c_str(), &end);
-      if (end == word.c_str() || *end != '\0')
-        throw InputError(path, "DATA",
-                         "'" + printable(word, 40) + "' at point " + std::to_string(point) + " is not a number");
-      if (index >= 0) store(cloud, point, static_cast<std::size_t>(index), value);
-    }
+  std::ifstream in = openPayload(path, header);
+  std::vector<std::size_t> first_element;  // of each wanted field, in a row
+  std::size_t elements = 0;
+  for (const PcdField* field : wanted) {
+    elements = 0;
+    for (const PcdField* before = header.fields.data(); before != field; ++before)
+      elements += static_cast<std::size_t>(before->count);
+    first_element.push_back(elements);
+  }
+  elements = 0;
+  for (const PcdField& field : header.fields) elements += static_cast<std::size_t>(field.count);
+
+  std::string line;
+  std::vector<double> row(elements);
+  for (std::size_t point = 0; point < header.points(); ++point) {
+    if (!nextRow(in, line)) throw InputError(path, "DATA", "ends at point " + std::to_string(point));
+    std::string_view rest = line;
+    for (double& value : row)
+      if (!takeNumber(path, point, rest, value))
+        throw InputError(path, "DATA", "too few values at point " + std::to_string(point));
+    if (double surplus = 0.0; takeNumber(path, point, rest, surplus))
+      throw InputError(path, "DATA", "too many values at point " + std::to_string(point));
+    for (std::size_t i = 0; i < wanted.size(); ++i) store(cloud, point, i, row[first_element[i]]);
+  }
+  if (nextRow(in, line)) throw InputError(path, "DATA", "has more rows than WIDTH x HEIGHT points");
 }
 
+// ---- binary ----
+
+/// Point after point.
 void readBinary(const std::string& path, const PcdHeader& header, const std::vector<const PcdField*>& wanted,
                 OrganizedCloud& cloud) {
-  const QuietPcl quiet;
-  pcl::PCLPointCloud2 blob;
-  try {
-    if (pcl::PCDReader().read(path, blob) < 0) throw InputError(path, "DATA", "cannot be read");
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(path, "DATA", error.what());
+  std::ifstream in = openPayload(path, header);
+  const std::size_t point_size = static_cast<std::size_t>(header.point_size);
+  const std::size_t width = static_cast<std::size_t>(header.width);
+  std::vector<std::uint8_t> row(width * point_size);
+  for (std::size_t start = 0; start < header.points(); start += width) {
+    if (!in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(row.size())))
+      throw InputError(path, "DATA", "is shorter than WIDTH x HEIGHT points");
+    for (std::size_t column = 0; column < width; ++column)
+      for (std::size_t i = 0; i < wanted.size(); ++i)
+        store(cloud, start + column, i, valueOf(*wanted[i], &row[column * point_size + wanted[i]->offset]));
   }
-  if (blob.data.size() < header.points() * static_cast<std::size_t>(blob.point_step) || blob.point_step == 0)
-    throw InputError(path, "DATA", "is shorter than WIDTH x HEIGHT points");
+}
+
+/// LZF: literal runs (control byte below 32: one more bytes follow) and back references (three bits of length, 13 of
+/// distance). False unless the whole of `in` gives exactly `out`.
+bool unpackLzf(const std::vector<std::uint8_t>& in, std::vector<std::uint8_t>& out) {
+  std::size_t from = 0, to = 0;
+  while (from < in.size()) {
+    const std::size_t control = in[from++];
+    if (control < 32) {
+      const std::size_t length = control + 1;
+      if (length > in.size() - from || length > out.size() - to) return false;
+      std::memcpy(&out[to], &in[from], length);
+      from += length;
+      to += length;
+      continue;
+    }
+    std::size_t length = control >> 5;
+    if (length == 7 && from < in.size()) length += in[from++];
+    if (from == in.size()) return false;
+    const std::size_t distance = ((control & 31) << 8) + in[from++] + 1;
+    length += 2;
+    if (distance > to || length > out.size() - to) return false;
+    for (const std::size_t end = to + length; to < end; ++to) out[to] = out[to - distance];  // may overlap
+  }
+  return to == out.size();
+}
+
+/// Field after field, packed.
+void readBinaryCompressed(const std::string& path, const PcdHeader& header, const std::vector<const PcdField*>& wanted,
+                          OrganizedCloud& cloud) {
+  std::ifstream in = openPayload(path, header);
+  std::uint32_t packed_size = 0, size = 0;
+  in.read(reinterpret_cast<char*>(&packed_size), sizeof packed_size);
+  in.read(reinterpret_cast<char*>(&size), sizeof size);
+  // Both agree with the file and the header: readPcdHeader has seen to it.
+  std::vector<std::uint8_t> packed(in ? packed_size : 0);
+  if (!in.read(reinterpret_cast<char*>(packed.data()), static_cast<std::streamsize>(packed.size())))
+    throw InputError(path, "DATA", "is shorter than its compressed size");
+  std::vector<std::uint8_t> bytes(header.points() * static_cast<std::size_t>(header.point_size));
+  if (!unpackLzf(packed, bytes)) throw InputError(path, "DATA", "the compressed data is damaged");
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    std::size_t offset = blob.point_step;
-    for (const auto& field : blob.fields)
-      if (field.name == wanted[i]->name) offset = field.offset;
-    if (offset + static_cast<std::size_t>(wanted[i]->size) > blob.point_step)
-      throw InputError(path, "FIELDS", "no field " + wanted[i]->name);
+    const std::uint8_t* column = bytes.data() + header.points() * static_cast<std::size_t>(wanted[i]->offset);
     for (std::size_t point = 0; point < header.points(); ++point)
-      store(cloud, point, i, valueOf(*wanted[i], &blob.data[point * blob.point_step + offset]));
+      store(cloud, point, i, valueOf(*wanted[i], column + point * static_cast<std::size_t>(wanted[i]->size)));
   }
 }
 
@@ -140,8 +226,10 @@ OrganizedCloud readOrganizedPcd(const std::string& path, const std::string& labe
   if (!label_field.empty()) cloud.label.resize(header.points());
   if (header.data == PcdData::Ascii)
     readAscii(path, header, wanted, cloud);
-  else
+  else if (header.data == PcdData::Binary)
     readBinary(path, header, wanted, cloud);
+  else
+    readBinaryCompressed(path, header, wanted, cloud);
   return cloud;
 }
 

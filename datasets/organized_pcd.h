@@ -11,12 +11,12 @@ namespace epcc {
 struct OrganizedCloud {
   int width = 0;
   int height = 0;
-  std::vector<float> xyz;    ///< 3 a point, row-major, metres; NaN = invalid
+  std::vector<float> xyz;    ///< 3 a point, row-major, metres; NaN = invalid, never infinite
   std::vector<float> label;  ///< one a point if a label field was asked for, else empty
 };
 
 /// Reads an organized cloud with float fields x, y, z. `label_field` names one more field of any type, which must
-/// then exist. Everything that is wrong with the file is an InputError.
+/// then exist. Line ends may be CR LF. Everything that is wrong with the file is an InputError.
 OrganizedCloud readOrganizedPcd(const std::string& path, const std::string& label_field = "");
 
 /// Writes fields x y z label, organized, binary_compressed. xyz has 3 values a point.

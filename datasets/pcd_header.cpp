@@ -2,9 +2,9 @@
 // A line parser of its own: PCL 1.13's reader crashes on several damaged headers.
 #include "datasets/pcd_header.h"
 
-#include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "datasets/image.h"
@@ -17,8 +17,16 @@ namespace {
 constexpr std::size_t kLongestHeader = 64 * 1024;
 constexpr int kMostFields = 256;
 constexpr int kLargestPoint = 4096;
+/// No LZF stream grows by more when it is unpacked (three bytes stand for 264 at most).
+constexpr std::uint32_t kBestCompression = 100;
 
 using Lines = std::map<std::string, std::vector<std::string>>;
+
+bool isHeaderKey(const std::string& key) {
+  static const std::set<std::string> keys = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
+                                             "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+  return keys.count(key) != 0;
+}
 
 /// The header's lines by key, up to DATA; `data_offset` is the first byte behind it.
 Lines splitHeader(const std::string& path, std::uintmax_t& data_offset) {
@@ -36,6 +44,7 @@ Lines splitHeader(const std::string& path, std::uintmax_t& data_offset) {
     std::string key, word;
     if (!(words >> key) || key[0] == '#') continue;
     if (key == "COLUMNS") key = "FIELDS";
+    if (lines.empty() && !isHeaderKey(key)) throw InputError(path, "header", "is not that of a PCD file");
     if (lines.count(key) != 0) throw InputError(path, key, "occurs twice");
     auto& values = lines[key];
     while (words >> word) values.push_back(word);
@@ -104,6 +113,20 @@ std::vector<PcdField> readFields(const std::string& path, const Lines& lines) {
   return fields;
 }
 
+/// The compressed form leaves out padding, the fields named "_", even if the header lists it.
+void dropPadding(const std::string& path, std::vector<PcdField>& fields) {
+  std::vector<PcdField> kept;
+  int offset = 0;
+  for (PcdField& field : fields) {
+    if (field.name == "_") continue;
+    field.offset = offset;
+    offset += field.size * field.count;
+    kept.push_back(field);
+  }
+  if (kept.empty()) throw InputError(path, "FIELDS", "all of them are padding");
+  fields = std::move(kept);
+}
+
 PcdData readDataKind(const std::string& path, const Lines& lines) {
   const std::string& kind = valuesOf(path, lines, "DATA")[0];
   if (kind == "ascii") return PcdData::Ascii;
@@ -128,6 +151,7 @@ void checkPayload(const std::string& path, const PcdHeader& header, std::uintmax
   in.seekg(static_cast<std::streamoff>(header.data_offset));
   in.read(reinterpret_cast<char*>(sizes), sizeof sizes);
   if (!in) throw InputError(path, "DATA", "ends before the compressed sizes");
+  if (sizes[1] / kBestCompression > sizes[0]) throw InputError(path, "DATA", "uncompressed size is impossibly large");
   if (sizes[0] > payload - sizeof sizes) throw InputError(path, "DATA", "is shorter than its compressed size");
   if (sizes[1] != points * static_cast<std::uintmax_t>(header.point_size))
     throw InputError(path, "DATA", "uncompressed size is not WIDTH x HEIGHT points");
@@ -142,15 +166,13 @@ const PcdField* PcdHeader::field(const std::string& name) const {
 }
 
 PcdHeader readPcdHeader(const std::string& path) {
-  std::error_code code;
-  if (std::filesystem::is_directory(path, code)) throw InputError(path, "file", "is a folder");
-  const std::uintmax_t file_size = std::filesystem::file_size(path, code);
-  if (code) throw InputError(path, "file", code.message());
-  if (file_size == 0) throw InputError(path, "file", "is empty");
+  const std::uintmax_t file_size = inputFileSize(path);
   PcdHeader header;
   const Lines lines = splitHeader(path, header.data_offset);
   valuesOf(path, lines, "VERSION");
+  header.data = readDataKind(path, lines);
   header.fields = readFields(path, lines);
+  if (header.data == PcdData::BinaryCompressed) dropPadding(path, header.fields);
   header.point_size = header.fields.back().offset + header.fields.back().size * header.fields.back().count;
   header.width = static_cast<int>(singleNumber(path, lines, "WIDTH", 1, kMostPixels));
   header.height = static_cast<int>(singleNumber(path, lines, "HEIGHT", 1, kLargestImageSide));
@@ -162,7 +184,6 @@ PcdHeader readPcdHeader(const std::string& path) {
   if (lines.count("POINTS") != 0 &&
       singleNumber(path, lines, "POINTS", 0, kMostPixels) != static_cast<long>(header.points()))
     throw InputError(path, "POINTS", "is not WIDTH x HEIGHT");
-  header.data = readDataKind(path, lines);
   checkPayload(path, header, file_size);
   return header;
 }

@@ -17,6 +17,9 @@ namespace epcc {
 
 namespace {
 
+/// No deflate stream grows by more when it is unpacked (1032).
+constexpr std::uintmax_t kBestCompression = 1040;
+
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -112,6 +115,8 @@ std::vector<png_bytep> rowPointers(const Image<T>& image) {
 template <typename T>
 void writeImage(const std::string& path, const Image<T>& image, int bit_depth, int color_type) {
   if (image.width <= 0 || image.height <= 0) throw OutputError(path, "size", "an empty image cannot be written");
+  if (image.data.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height))
+    throw OutputError(path, "size", "does not match the number of pixels");
   auto rows = rowPointers(image);
   writeAtomically(path, [&](const std::string& temporary) {
     File file(std::fopen(temporary.c_str(), "wb"));
@@ -128,11 +133,12 @@ void writeImage(const std::string& path, const Image<T>& image, int bit_depth, i
 }  // namespace
 
 Image<std::uint16_t> readGray16(const std::string& path) {
+  const std::uintmax_t file_size = inputFileSize(path);
   File file(std::fopen(path.c_str(), "rb"));
   if (!file) throw InputError(path, "file", std::strerror(errno));
   png_byte signature[8];
   const std::size_t got = std::fread(signature, 1, sizeof signature, file.get());
-  if (got == 0) throw InputError(path, "file", std::ferror(file.get()) != 0 ? "cannot be read" : "is empty");
+  if (std::ferror(file.get()) != 0) throw InputError(path, "file", "cannot be read");
   if (got < sizeof signature || png_sig_cmp(signature, 0, sizeof signature) != 0)
     throw InputError(path, "signature", "is not a PNG file");
   std::rewind(file.get());
@@ -145,6 +151,8 @@ Image<std::uint16_t> readGray16(const std::string& path) {
     throw InputError(path, "bit depth", "is " + std::to_string(reader.bit_depth) + ", not 16");
   if (static_cast<long>(reader.width) * static_cast<long>(reader.height) > kMostPixels)
     throw InputError(path, "size", "more than " + std::to_string(kMostPixels) + " pixels");
+  if (2 * static_cast<std::uintmax_t>(reader.width) * reader.height / kBestCompression > file_size)
+    throw InputError(path, "size", "the file is too short for so many pixels");
 
   Image<std::uint16_t> image(static_cast<int>(reader.width), static_cast<int>(reader.height));
   auto rows = rowPointers(image);
