@@ -14,7 +14,6 @@ namespace epcc {
 namespace {
 
 constexpr int kArrangements = 1000;     // draws before giving up
-constexpr int kSmallestPixels = 400;    // of a surface in the default view
 constexpr double kLargestPiece = 0.95;  // share of a surface that is in one piece
 constexpr double kDepthUnit = 0.0002;   // metres, finer than any sensor, up to 13 m in 16 bits
 constexpr std::uint64_t kSceneStream = 1;
@@ -73,7 +72,7 @@ bool showsEverything(const Scene& scene, const SceneRecipe& recipe) {
   const SceneView view = renderView(scene, sceneCamera());
   const std::vector<int> counts = pixelCounts(view), largest = largestPieces(view);
   for (std::size_t i = 0; i < counts.size(); ++i)
-    if (counts[i] < kSmallestPixels || largest[i] < kLargestPiece * counts[i]) return false;
+    if (counts[i] < recipe.smallest || largest[i] < kLargestPiece * counts[i]) return false;
   return std::all_of(view.depth.data.begin(), view.depth.data.end(), [](float z) { return z > 0.0F; });
 }
 

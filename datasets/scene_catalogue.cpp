@@ -52,7 +52,7 @@ Scene nearDesk(SceneRandom& random) {
   const double wall = random.uniform(1.10, 1.25);
   addFloor(scene, "desk", 3.0, -0.6, wall);
   addCrossWall(scene, "wall", 3.0, wall, 2.0);
-  scene.addBox("box", drawBox(random, random.uniform(-0.15, 0.15), 0.66, {0.30, 0.22, 0.20}, 28.0, 62.0));
+  scene.addBox("box", drawBox(random, random.uniform(-0.15, 0.15), 0.66, {0.32, 0.26, 0.22}, 32.0, 58.0));
   return scene;
 }
 
@@ -62,9 +62,9 @@ Scene boxesOnDesk(SceneRandom& random) {
   const double wall = random.uniform(1.40, 1.55);
   addFloor(scene, "desk", 3.0, -0.6, wall);
   addCrossWall(scene, "wall", 3.0, wall, 2.0);
-  scene.addBox("left box", drawBox(random, -0.47, 0.86, {0.30, 0.24, 0.26}, 25.0, 55.0));
-  scene.addBox("middle box", drawBox(random, 0.02, 0.58, {0.24, 0.17, 0.12}, -60.0, -30.0));
-  scene.addBox("right box", drawBox(random, 0.50, 0.92, {0.28, 0.22, 0.34}, 35.0, 65.0));
+  scene.addBox("left box", drawBox(random, -0.47, 0.86, {0.33, 0.28, 0.28}, 58.0, 84.0));
+  scene.addBox("middle box", drawBox(random, 0.02, 0.58, {0.26, 0.20, 0.15}, -58.0, -32.0));
+  scene.addBox("right box", drawBox(random, 0.50, 0.92, {0.32, 0.26, 0.34}, 4.0, 30.0));
   const double mug = random.uniform(-0.30, -0.22), bottle = random.uniform(0.04, 0.10);
   scene.cylinders.push_back({{mug, 0.55, 0.0}, {mug, 0.55, 0.10}, 0.040});
   scene.cylinders.push_back({{bottle, 1.05, 0.0}, {bottle, 1.05, 0.22}, 0.035});
@@ -84,7 +84,7 @@ Scene largeRoom(SceneRandom& random) {
   addSideWall(scene, "right wall", half, -1.0, back, height);
   const double start = random.uniform(2.5, 2.8), length = random.uniform(1.1, 1.3);
   scene.addBox("cabinet", {{-half + 0.28, start + 0.5 * length, 0.0}, {0.56, length, 1.95}, 0.0});
-  scene.addBox("chest", drawBox(random, random.uniform(0.6, 0.9), 2.75, {0.95, 0.55, 0.62}, 25.0, 55.0));
+  scene.addBox("chest", drawBox(random, random.uniform(0.6, 0.9), 2.75, {0.95, 0.60, 0.62}, 15.0, 42.0));
   scene.addChair({random.uniform(-0.65, -0.45), random.uniform(2.5, 2.8), 0.0}, kDegree * random.uniform(-50, 50));
   const double bin = random.uniform(3.9, 4.1);
   scene.cylinders.push_back({{half - 0.25, bin, 0.0}, {half - 0.25, bin, 0.38}, 0.15});
@@ -131,10 +131,10 @@ Scene corridor(SceneRandom& random) {
 
 const std::vector<SceneRecipe>& sceneRecipes() {
   static const std::vector<SceneRecipe> recipes = {
-      {"a", "near desk", 5, nearDesk},
-      {"b", "boxes and clutter on a desk", 11, boxesOnDesk},
-      {"c", "larger room", 9, largeRoom},
-      {"d", "corridor with a door at its end", 9, corridor},
+      {"a", "near desk", 5, 1200, nearDesk},
+      {"b", "boxes and clutter on a desk", 11, 900, boxesOnDesk},
+      {"c", "larger room", 9, 900, largeRoom},
+      {"d", "corridor with a door at its end", 9, 900, corridor},
   };
   return recipes;
 }

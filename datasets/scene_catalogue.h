@@ -16,6 +16,7 @@ struct SceneRecipe {
   std::string name;
   std::string title;
   int surfaces;  ///< N: planes that are to be visible
+  int smallest;  ///< pixels of 480x270 that each of them has at least
   std::function<Scene(SceneRandom&)> build;
 };
 
