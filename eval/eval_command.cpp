@@ -104,7 +104,7 @@ void EvalRun::score() {
     progress.show(++done);
   };
   progress.show(0);
-  runExperiment(jobs, methods(), {options_.sensor, options_.jobs}, write, in_order);
+  runExperiment(jobs, methods(), {options_.noise, options_.jobs}, write, in_order);
   progress.clear();
 }
 

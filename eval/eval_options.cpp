@@ -12,6 +12,7 @@
 
 #include "baselines/registry.h"
 #include "datasets/input_error.h"
+#include "eval/frame_sensor.h"
 #include "eval/segment_options.h"
 
 namespace epcc {
@@ -30,7 +31,6 @@ struct RawOptions {
   std::vector<std::string> datasets;
   std::vector<std::string> predictions;
   std::string methods;
-  std::string noise;
 };
 
 std::string joined(const std::vector<std::string>& words) {
@@ -100,10 +100,9 @@ void settle(const RawOptions& raw, EvalOptions& options) {
   require(!options.overlays || !options.out.empty(), "--overlays needs --out");
   keepPredictions(options);
   if (options.jobs == 0) options.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  if (raw.noise.empty()) return;
-  std::string why;
-  options.sensor = SensorModel::parse(raw.noise, &why);
-  require(options.sensor.has_value(), "--noise: " + why);
+  if (options.noise.empty()) return;
+  const std::string why = noiseProblem(options.noise);
+  require(why.empty(), "--noise: " + why);
 }
 
 void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
@@ -113,7 +112,8 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
   app.add_option("--predictions", raw.predictions,
                  "Label images DIR/NAME_labels.png of another program, scored as method NAME")
       ->type_name("NAME=DIR ...");
-  app.add_option("--noise", raw.noise, "Sensor: PRESET | A,B,L | poly:K1,K2,K3 (else the frame's own, else d435i)")
+  app.add_option("--noise", options.noise,
+                 "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | auto (else the frame's own, else auto)")
       ->type_name("NOISE");
   app.add_option("--out", options.out, "Folder for summary.json, summary.md, frames.csv and labels/METHOD/")
       ->type_name("DIR");

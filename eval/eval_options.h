@@ -22,8 +22,8 @@ struct EvalOptions {
   std::vector<std::string> datasets;  ///< folders
   std::vector<std::string> methods;   ///< of segmenterNames(), each once
   std::vector<Predictions> predictions;
-  std::optional<SensorModel> sensor;  ///< nothing: the frame's own, else the default
-  std::string out;                    ///< folder; empty: the tables are printed only
+  std::string noise;  ///< sensor model as on the command line; empty: the frame's own, else auto
+  std::string out;    ///< folder; empty: the tables are printed only
   int jobs = 1;
   bool overlays = false;
   bool strict = false;

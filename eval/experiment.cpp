@@ -13,19 +13,11 @@
 
 #include "baselines/imported_labels_segmenter.h"
 #include "datasets/input_error.h"
+#include "eval/frame_sensor.h"
 
 namespace epcc {
 
 namespace {
-
-SensorModel sensorOf(const LabelledFrame& frame, const ExperimentOptions& options) {
-  if (options.sensor) return *options.sensor;
-  if (!frame.camera.noise) return SensorModel();
-  std::string why;
-  const std::optional<SensorModel> sensor = SensorModel::parse(*frame.camera.noise, &why);
-  if (!sensor) throw InputError(frame.name + ".json", "noise", why);
-  return *sensor;
-}
 
 LabelledFrame readScorable(const FrameJob& job) {
   LabelledFrame frame = job.source->read(job.index);
@@ -105,9 +97,10 @@ FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& method
     result.records.push_back({job.source->dataset(), job.source->name(job.index), method.name, {}, {}, {}});
   try {
     result.frame = readScorable(job);
-    const SensorModel sensor = sensorOf(result.frame, options);
     result.segmentations.resize(methods.size());
     const DepthFrame view = DepthFrame::fromDepth(result.frame.depth.data.data(), result.frame.camera.camera);
+    const SensorModel sensor =
+        frameSensor(options.noise, result.frame.camera.noise, view, result.frame.name + ".json").model;
     for (std::size_t m = 0; m < methods.size(); ++m)
       runMethod(methods[m], *segmenters[m], {view, sensor, job.file_name}, result.frame, result.segmentations[m],
                 result.records[m]);

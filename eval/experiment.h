@@ -57,8 +57,8 @@ struct FrameResult {
 };
 
 struct ExperimentOptions {
-  std::optional<SensorModel> sensor;  ///< nothing: the frame's "noise", else the preset d435i
-  int jobs = 1;                       ///< threads, at least 1
+  std::string noise;  ///< sensor model, as frameSensor() takes it; empty: the frame's "noise", else auto
+  int jobs = 1;       ///< threads, at least 1
 };
 
 /// Reads a frame and runs every method on it. Errors end up in the records; nothing is thrown.

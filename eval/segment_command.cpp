@@ -14,6 +14,7 @@
 
 #include "datasets/input_error.h"
 #include "epcc_segmentation/plane_extractor.h"
+#include "eval/frame_sensor.h"
 #include "eval/plane_report.h"
 #include "eval/segment_input.h"
 #include "eval/segment_output.h"
@@ -51,23 +52,8 @@ class Progress {
   bool on_;
 };
 
-struct Sensor {
-  SensorModel model;
-  std::string name;
-};
-
-// The command line's sensor, else the frame's own, else the default.
-Sensor sensorFor(const SegmentOptions& options, const SegmentInput& input, const LoadedFrame& loaded) {
-  if (options.sensor) return {*options.sensor, options.noise};
-  if (!loaded.noise) return {SensorModel(), "d435i"};
-  std::string why;
-  const std::optional<SensorModel> model = SensorModel::parse(*loaded.noise, &why);
-  if (!model) throw InputError(input.camera_file, "noise", why);
-  return {*model, *loaded.noise};
-}
-
 std::string heading(const SegmentInput& input, const LoadedFrame& loaded, const PlaneSegmentation& result,
-                    const Sensor& sensor) {
+                    const FrameSensor& sensor) {
   const auto valid =
       std::count_if(loaded.depth.data.begin(), loaded.depth.data.end(), [](float z) { return z > 0.0F; });
   const auto labelled = std::count_if(result.labels.begin(), result.labels.end(), [](std::int32_t k) { return k > 0; });
@@ -96,7 +82,7 @@ std::string segmentOne(const SegmentOptions& options, const SegmentInput& input)
   const LoadedFrame loaded = loadInput(input, options);
   const double reading = secondsSince(start);
 
-  const Sensor sensor = sensorFor(options, input, loaded);
+  const FrameSensor sensor = frameSensor(options.noise, loaded.noise, loaded.frame(), input.camera_file);
   PlaneExtractor extractor(options.parameters, sensor.model);
   PlaneSegmentation result;
   if (!extractor.extract(loaded.frame(), result)) throw InputError(input.path, "frame", extractor.error());

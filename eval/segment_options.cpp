@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "datasets/input_error.h"
+#include "eval/frame_sensor.h"
 
 namespace epcc {
 namespace {
@@ -53,9 +54,7 @@ std::string checkPositive(const std::string& text) {
 }
 
 std::string checkNoise(const std::string& text) {
-  if (text == "auto") return "'auto' is not available yet; name a preset or give numbers";
-  std::string why;
-  return SensorModel::parse(text, &why) ? std::string() : why;
+  return noiseProblem(text);
 }
 
 std::string checkMode(const std::string& text) {
@@ -103,7 +102,8 @@ void addMethodOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
     return app.add_option(name, value, text)->type_name(type)->group("Method");
   };
   add("--mode", raw.mode, "MODE", "default | paper (default)")->check(checkMode);
-  add("--noise", options.noise, "NOISE", "Sensor: PRESET | A,B,L | poly:K1,K2,K3 (else the frame's own, else d435i)")
+  add("--noise", options.noise, "NOISE",
+      "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | auto (else the frame's own, else auto)")
       ->check(checkNoise);
   add("--scan", raw.scan, "WHICH", "Scan lines: columns | rows | both (both; paper: columns)")->check(checkScan);
   add("--line-k-max", raw.line_k_max, "K", "Gate of a line, in sigma (1.5; paper, Eq. 20: 2)")->check(checkFinite);
@@ -150,7 +150,6 @@ std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
 // Empty if all is well, else what is wrong.
 std::string settle(const RawOptions& raw, SegmentOptions& options) {
   if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
-  if (!options.noise.empty()) options.sensor = SensorModel::parse(options.noise);
   const std::string problem = settleMethod(raw, options.parameters);
   if (!problem.empty()) return problem;
   if (options.inputs.size() > 1 && options.namesOutputs()) {

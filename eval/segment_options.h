@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "epcc_segmentation/parameters.h"
-#include "epcc_segmentation/sensor_model.h"
 
 namespace epcc {
 
@@ -34,8 +33,7 @@ struct SegmentOptions {
   std::vector<std::string> inputs;
   std::string camera_file;
   std::optional<CameraNumbers> camera;
-  std::optional<SensorModel> sensor;  ///< nothing: the frame's own, else the default
-  std::string noise;                  ///< as named on the command line
+  std::string noise;  ///< sensor model as on the command line; empty: the frame's own, else auto
   Parameters parameters;
   std::string labels;
   std::string planes;

@@ -27,6 +27,17 @@ class StopWatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/// Labels in the frame's own order -> in that of the caller's arrays, which a transposed view does not share.
+void copyLabels(const DepthFrame& frame, const std::vector<std::int32_t>& from, std::vector<std::int32_t>& to) {
+  if (!frame.isTransposed()) {
+    to = from;
+    return;
+  }
+  std::size_t next = 0;
+  for (int row = 0; row < frame.height(); ++row)
+    for (int column = 0; column < frame.width(); ++column) to[frame.index(row, column)] = from[next++];
+}
+
 }  // namespace
 
 /// Both pipelines' memory, kept from frame to frame.
@@ -80,7 +91,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   pipeline.refineBoundaries();  // S5, S6
   pipeline.rejectClutter();     // S7
   times_.regions = watch.lap();
-  result.labels = pipeline.labels();
+  copyLabels(frame, pipeline.labels(), result.labels);
   times_.result = watch.lap();
   return pipeline.labelCount();
 }

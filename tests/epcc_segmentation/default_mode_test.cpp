@@ -84,6 +84,13 @@ TEST(DefaultMode, TransposingTheImageTransposesTheLabels) {
   EXPECT_LT(differ, camera.width * camera.height / 200);  // ties between directions go to the columns
 }
 
+TEST(DefaultMode, ATransposedViewIsLabelledInTheCallersOrder) {
+  const auto room = noisyRoom();
+  const auto turned = extract(room.frame().transposed());
+  ASSERT_EQ(turned.planes.size(), 3u);
+  EXPECT_GT(agreement(room, turned), 0.97);
+}
+
 TEST(DefaultMode, RepeatedCallsAndFreshObjectsGiveTheSameBits) {
   const auto room = noisyRoom(1);
   const auto other = noisyRoom(2, 90, 70);

@@ -27,7 +27,7 @@ TEST(EvalOptions, Defaults) {
   EXPECT_EQ(options.datasets, (Words{"frames", "more/"}));
   EXPECT_EQ(options.methods, (Words{"epcc", "epcc-paper", "region-growing", "ransac", "omps"}));
   EXPECT_TRUE(options.predictions.empty());
-  EXPECT_FALSE(options.sensor.has_value());
+  EXPECT_EQ(options.noise, "");
   EXPECT_EQ(options.jobs, 1);
   EXPECT_FALSE(options.strict || options.overlays);
 }
@@ -51,7 +51,8 @@ TEST(EvalOptions, PredictionsOneOrSeveralAtOnce) {
 
 TEST(EvalOptions, NoiseAndJobs) {
   const EvalOptions options = parse({"frames", "--noise", "0.001,0.002,3", "--jobs", "0"});
-  EXPECT_EQ(options.sensor->correlationLength(), 3.0);
+  EXPECT_EQ(options.noise, "0.001,0.002,3");
+  EXPECT_EQ(parse({"frames", "--noise", "auto"}).noise, "auto");
   EXPECT_GE(options.jobs, 1);
 }
 

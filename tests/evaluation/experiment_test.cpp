@@ -2,6 +2,8 @@
 // Frames through methods: scores, errors, order.
 #include "eval/experiment.h"
 
+#include "epcc_segmentation/sensor_estimation.h"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -115,17 +117,18 @@ TEST(Experiment, AFrameThatCannotBeUsedCostsOneRecordAMethod) {
   for (const std::size_t i : {4U, 5U}) EXPECT_EQ(records[i].error, "") << i;
 }
 
-TEST(Experiment, NoiseOfTheOptionsBeforeTheFramesBeforeTheDefault) {
+TEST(Experiment, NoiseOfTheOptionsBeforeTheFramesBeforeTheMeasured) {
   SensorModel seen;
   const SensorModel given = SensorModel::axial(0.01, 0.02, 3.0);
-  run(oneSource({tinyFrame("f", 1)}), {oracle("-", &seen)}, {given, 1});
+  run(oneSource({tinyFrame("f", 1)}), {oracle("-", &seen)}, {"0.01,0.02,3", 1});
   EXPECT_EQ(seen.description(), given.description());
   run(oneSource({tinyFrame("f", 1)}), {oracle("-", &seen)});
   EXPECT_EQ(seen.description(), SensorModel::axial(0.0005, 0.0005, 1.0).description());
   LabelledFrame plain = tinyFrame("f", 1);
   plain.camera.noise.reset();
   run(oneSource({plain}), {oracle("-", &seen)});
-  EXPECT_EQ(seen.description(), SensorModel::preset("d435i")->description());
+  const auto view = DepthFrame::fromDepth(plain.depth.data.data(), plain.camera.camera);
+  EXPECT_EQ(seen.description(), estimateSensor(view).model().description());
 }
 
 TEST(Experiment, OrderDoesNotDependOnTheThreads) {
@@ -133,7 +136,7 @@ TEST(Experiment, OrderDoesNotDependOnTheThreads) {
   for (unsigned i = 0; i < 8; ++i) frames.push_back(tinyFrame("f" + std::to_string(i), i));
   const Sources sources = oneSource(frames);
   for (const int jobs : {1, 2, 5, 30}) {
-    const auto records = run(sources, {oracle(), oracle("f3")}, {std::nullopt, jobs});
+    const auto records = run(sources, {oracle(), oracle("f3")}, {"", jobs});
     ASSERT_EQ(records.size(), 16U);
     for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(records[i].frame, "f" + std::to_string(i / 2)) << jobs;
     EXPECT_EQ(records[7].error, "no luck today");
@@ -149,7 +152,7 @@ TEST(Experiment, WhatWritingThrowsEndsTheRun) {
       ++calls;
       throw OutputError("disk", "space", "none left");
     };
-    EXPECT_THROW(runExperiment(listJobs(sources), {oracle()}, {std::nullopt, jobs}, full, {}), OutputError);
+    EXPECT_THROW(runExperiment(listJobs(sources), {oracle()}, {"", jobs}, full, {}), OutputError);
     EXPECT_LE(calls, jobs);
   }
 }

@@ -23,6 +23,7 @@
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/plane_extractor.h"
 #include "epcc_segmentation/plane_segmentation.h"
+#include "epcc_segmentation/sensor_estimation.h"
 #include "epcc_segmentation/sensor_model.h"
 
 namespace epcc {
@@ -119,10 +120,17 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
   void setPlaneCriterion(PlaneCriterion criterion) { change(parameters_.plane.criterion, criterion); }
   PlaneCriterion getPlaneCriterion() const { return parameters_.plane.criterion; }
 
-  /// The depth sensor's noise sigma_z(z), Eq. 22. Default: the paper's sensor, preset "d435i".
-  void setSensorModel(const SensorModel& sensor) { change(sensor_, sensor); }
-  /// By name, see SensorModel::presetNames(). False, and nothing is changed, for an unknown name.
+  /// The depth sensor's noise: sigma_z(z) and correlation length. Default: measured on the clouds, see
+  /// setSensorModelAuto().
+  void setSensorModel(const SensorModel& sensor) {
+    estimator_.reset();
+    change(sensor_, sensor);
+  }
+  /// By name, see SensorModel::presetNames(), or "auto". False, and nothing is changed, for an unknown name.
   bool setSensorModel(const std::string& preset_name);
+  /// The model is measured on each cloud and settles over a stream of them (SensorEstimator).
+  void setSensorModelAuto();
+  /// The model that was set, or that the last call measured.
   const SensorModel& getSensorModel() const { return sensor_; }
 
   /// Threads for the scan lines; the result does not depend on it. [1, 256], default 1.
@@ -232,6 +240,7 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
 
   Parameters parameters_;
   SensorModel sensor_;
+  std::optional<SensorEstimator> estimator_ = SensorEstimator();  // absent if the model was set
   std::optional<Projection> projection_;
   bool project_points_ = false;
   double distance_threshold_ = 0.02;

@@ -144,7 +144,7 @@ struct EvidenceParameters {
   /// Largest mean squared residual in sigma^2 across the surface. (0, 1e6]
   double max_chi2 = 4.0;
   /// Independent samples a region needs, times max(0.5, chi^2). [0, 1e6]
-  double min_evidence = 12.0;
+  double min_evidence = 10.0;
   std::string validate() const;
 };
 

@@ -53,6 +53,7 @@ void LineGrowing::addToActive(const Sample& sample) {
 bool LineGrowing::startFromBuffer() {
   LineSums sums;
   for (const Sample& sample : buffer_) sums.add(sample.x, sample.w, sample.variance);
+  if (!(sums.sxx() > 1e-12 * sums.one)) return false;  // one point over and over is no line
   if (sums.rss() > (sums.n - 2.0) * parameters_.k_max * parameters_.k_max) return false;
   emit();
   has_active_ = true;

@@ -52,9 +52,19 @@ unsigned EPCCSegmentation<PointT>::getMinInliers() const {
 
 template <typename PointT>
 bool EPCCSegmentation<PointT>::setSensorModel(const std::string& preset_name) {
+  if (preset_name == "auto") {
+    setSensorModelAuto();
+    return true;
+  }
   const std::optional<SensorModel> sensor = SensorModel::preset(preset_name);
   if (sensor) setSensorModel(*sensor);
   return sensor.has_value();
+}
+
+template <typename PointT>
+void EPCCSegmentation<PointT>::setSensorModelAuto() {
+  estimator_.emplace();
+  extractor_.reset();
 }
 
 template <typename PointT>
@@ -143,6 +153,10 @@ bool EPCCSegmentation<PointT>::compute(const char* method) {
       DepthFrame::fromPoints(&input_->points.front().x, sizeof(PointT) / sizeof(float), static_cast<int>(input_->width),
                              static_cast<int>(input_->height), used_projection_)
           .masked(updateMask());
+  if (estimator_) {
+    sensor_ = estimator_->update(frame).model();
+    extractor_.reset();
+  }
   if (!extractor_) extractor_.emplace(parameters_, sensor_);
   const bool done = extractor_->extract(frame, segmentation_);
   deinitCompute();

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sensor model measured on the frames themselves: what `--noise auto` uses.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/sensor_model.h"
+
+namespace epcc {
+
+/// How far the error of a sensor is correlated.
+enum class NoiseClass {
+  White,  ///< structured light, laser: each pixel on its own
+  Mid,    ///< Kinect type: blotches of a few pixels
+  Long    ///< RealSense type: blotches of many pixels
+};
+
+/// What one frame tells of its sensor.
+struct SensorEstimate {
+  NoiseClass noise_class = NoiseClass::Mid;
+  double a = 0.0023;                ///< metres, see SensorModel::axial
+  double b = 0.0036;                ///< 1/m
+  double correlation_length = 4.0;  ///< pixels
+  std::size_t blocks = 0;           ///< flat image blocks that were measured; 0: nothing was, the values are generic
+
+  SensorModel model() const { return SensorModel::axial(a, b, correlation_length); }
+};
+
+/// Fits planes to small blocks of the frame and reads the error off their residuals: its size by depth and its
+/// autocorrelation. Clutter only enlarges residuals, so low quantiles are used. A few milliseconds at 640x480.
+SensorEstimate estimateSensor(const DepthFrame& frame);
+
+/// The same over a stream of one sensor: the median of a and b and the majority class of the last frames, so that the
+/// model settles and does not flicker.
+class SensorEstimator {
+ public:
+  /// Frames that are remembered. At least 1.
+  explicit SensorEstimator(std::size_t memory = 15);
+  /// Measures a frame and returns the estimate of the stream. A change of the image size starts afresh.
+  SensorEstimate update(const DepthFrame& frame);
+  void reset();
+
+ private:
+  std::size_t memory_;
+  int width_ = 0;
+  int height_ = 0;
+  std::size_t next_ = 0;
+  std::vector<SensorEstimate> estimates_;
+};
+
+}  // namespace epcc

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gated least squares on a checkerboard, then at full resolution.
+#include "sensor/block_residuals.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace epcc {
+
+namespace {
+
+constexpr double kFewestValid = 0.8;
+constexpr double kFewestInliers = 0.75;
+constexpr int kPasses = 4;
+constexpr double kGate = 3.2;       // in 68 % quantiles of the residual
+constexpr double kSteepest = 25.0;  // tan^2 of the angle between ray and normal
+
+struct Sample {
+  int x, y;  // pixels from the block's upper left corner
+  double w;
+};
+
+/// w = p0 x + p1 y + p2.
+double residual(const Eigen::Vector3d& plane, const Sample& s) {
+  return s.w - plane.dot(Eigen::Vector3d(s.x, s.y, 1));
+}
+
+std::optional<Eigen::Vector3d> fit(const std::vector<Sample>& samples, const Eigen::Vector3d& plane, double gate) {
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  int n = 0;
+  for (const Sample& s : samples) {
+    if (std::abs(residual(plane, s)) > gate) continue;
+    const Eigen::Vector3d ray(s.x, s.y, 1.0);
+    a.noalias() += ray * ray.transpose();
+    b += s.w * ray;
+    ++n;
+  }
+  Eigen::Matrix3d inverse;
+  bool invertible = false;
+  if (n >= 6) a.computeInverseWithCheck(inverse, invertible);
+  if (!invertible) return std::nullopt;
+  return Eigen::Vector3d(inverse * b);
+}
+
+double quantile(std::vector<double>& values, double share) {
+  const auto at = values.begin() + static_cast<long>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+double nextGate(const std::vector<Sample>& samples, const Eigen::Vector3d& plane) {
+  std::vector<double> errors;
+  errors.reserve(samples.size());
+  for (const Sample& s : samples) errors.push_back(std::abs(residual(plane, s)));
+  return kGate * quantile(errors, 0.68);
+}
+
+/// Autocorrelation of the inliers' residuals, rows and columns pooled. `e` is NaN where there is no inlier.
+std::array<double, kLags.size()> autocorrelation(const std::vector<double>& e, int size, double variance) {
+  std::array<double, kLags.size()> result{};
+  for (std::size_t k = 0; k < kLags.size(); ++k) {
+    double sum = 0.0;
+    long pairs = 0;
+    const int lag = kLags[k];
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        const double here = e[static_cast<std::size_t>(y * size + x)];
+        if (std::isnan(here)) continue;
+        const double right = x + lag < size ? e[static_cast<std::size_t>(y * size + x + lag)] : std::nan("");
+        const double below = y + lag < size ? e[static_cast<std::size_t>((y + lag) * size + x)] : std::nan("");
+        if (!std::isnan(right)) sum += here * right, ++pairs;
+        if (!std::isnan(below)) sum += here * below, ++pairs;
+      }
+    result[k] = pairs > 0 && variance > 0.0 ? sum / static_cast<double>(pairs) / variance : 0.0;
+  }
+  return result;
+}
+
+/// Change of the ray coordinates per pixel at the block.
+double pitch(const std::vector<double>& coordinate, int first, int size) {
+  const auto i = static_cast<std::size_t>(first);
+  return std::abs(coordinate[i + static_cast<std::size_t>(size) - 1] - coordinate[i]) / (size - 1);
+}
+
+}  // namespace
+
+std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int row, int column, int size) {
+  std::vector<Sample> all, quarter;
+  std::vector<double> values;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const double w = static_cast<double>(image.w[static_cast<std::size_t>(row + y) * image.width + column + x]);
+      if (!(w > 0.0)) continue;
+      all.push_back({x, y, w});
+      if (((x | y) & 1) == 0) {
+        quarter.push_back({x, y, w});
+        values.push_back(w);
+      }
+    }
+  if (static_cast<double>(all.size()) < kFewestValid * size * size || quarter.size() < 6) return std::nullopt;
+
+  Eigen::Vector3d plane(0.0, 0.0, quantile(values, 0.5));
+  double gate = 0.25 * plane.z();
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const auto next = fit(quarter, plane, gate);
+    if (!next) return std::nullopt;
+    plane = *next;
+    gate = nextGate(quarter, plane);
+  }
+  const auto full = fit(all, plane, gate);
+  if (!full) return std::nullopt;
+  plane = *full;
+
+  std::vector<double> e(static_cast<std::size_t>(size * size), std::nan(""));
+  double squares = 0.0;
+  double w_sum = 0.0;
+  double n = 0.0;
+  for (const Sample& s : all) {
+    const double error = residual(plane, s);
+    if (std::abs(error) > gate) continue;
+    e[static_cast<std::size_t>(s.y * size + s.x)] = error;
+    squares += error * error;
+    w_sum += s.w;
+    n += 1.0;
+  }
+  if (n < kFewestInliers * static_cast<double>(all.size()) || n < 8.0) return std::nullopt;
+
+  const double mean_w = w_sum / n;
+  const double qu = plane.x() / std::max(pitch(image.across, column, size), 1e-9);
+  const double qv = plane.y() / std::max(pitch(image.along, row, size), 1e-9);
+  const double tan2 = std::min(kSteepest, (qu * qu + qv * qv) / (mean_w * mean_w));
+  const double measured_scale = image.measured_scale[static_cast<std::size_t>(row + size / 2)];
+  BlockResiduals block;
+  block.depth = 1.0 / (mean_w * measured_scale);
+  block.r = std::sqrt(squares / (n - 3.0)) * measured_scale * block.depth * block.depth / std::sqrt(1.0 + tan2);
+  block.correlation = autocorrelation(e, size, squares / n);
+  return block;
+}
+
+}  // namespace epcc

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Robust plane of one image block and the statistics of its residuals.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "inverse_depth/inverse_depth_image.h"
+
+namespace epcc {
+
+/// Lags at which the autocorrelation is measured, pixels.
+constexpr std::array<int, 4> kLags = {1, 2, 4, 8};
+
+struct BlockResiduals {
+  double depth = 0.0;  ///< measured depth at the block, metres
+  double r = 0.0;      ///< residual standard deviation across the surface, metres
+  std::array<double, kLags.size()> correlation{};
+};
+
+/// Fits the block with upper left corner (row, column) and side `size`; nothing if less than 80 % of it is valid or
+/// less than 75 % of that lies on one plane.
+std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int row, int column, int size);
+
+}  // namespace epcc

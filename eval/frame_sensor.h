@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which sensor model a frame is segmented with.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/sensor_model.h"
+
+namespace epcc {
+
+/// A sensor model and what to call it in a report.
+struct FrameSensor {
+  SensorModel model;
+  std::string name;
+};
+
+/// Empty if `text` is "auto" or something SensorModel::parse takes, else what is wrong.
+std::string noiseProblem(const std::string& text);
+
+/// The command line's choice (empty: none), else the frame's own "noise", else "auto": measured on the frame.
+/// InputError naming `camera_file` if the frame's own cannot be read.
+FrameSensor frameSensor(const std::string& chosen, const std::optional<std::string>& of_frame, const DepthFrame& frame,
+                        const std::string& camera_file);
+
+}  // namespace epcc
