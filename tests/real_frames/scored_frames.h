@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Real labelled frames, segmented and compared with their ground truth.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "datasets/labelled_frame.h"
+#include "epcc_segmentation/parameters.h"
+#include "eval/paper_measures.h"
+#include "eval/segcomp_measures.h"
+
+namespace epcc::test {
+
+/// What became of one frame.
+struct FrameScore {
+  std::string name;
+  std::string problem;  ///< empty, or what went wrong
+  PaperMeasures paper;
+  SegcompMeasures segcomp;        ///< at 0.8
+  double largest_coverage = 0.0;  ///< of the largest surface, by the clusters that it dominates
+  std::int32_t largest_surface = 0;
+  double largest_share = 0.0;  ///< of the frame's scored pixels
+};
+
+/// The paper's mode by columns, the default mode in both directions.
+Parameters parametersFor(Mode mode);
+
+/// Segments with the sensor model that the frame's JSON names.
+FrameScore scoreFrame(const LabelledFrame& frame, Mode mode);
+/// All frames of a data set; an unreadable one has its problem stated.
+std::vector<FrameScore> scoreFolder(const std::string& folder, Mode mode);
+
+}  // namespace epcc::test
