@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The payload of a PCD file whose header has been checked, read by hand: PCL 1.13's reader parses the header again and
-// trusts it. Writing goes through PCL.
+// The payload of a PCD file whose header has been checked, by hand: PCL 1.13's reader parses the header again and
+// trusts it, its writer leaks when the disk is full. PCL's LZF packs.
 #include "datasets/organized_pcd.h"
 
-#include <pcl/console/print.h>
-#include <pcl/io/pcd_io.h>
-#include <pcl/point_types.h>
+#include <pcl/io/lzf.h>
 
 #include <algorithm>
 #include <charconv>
@@ -13,27 +11,17 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <sstream>
 #include <string_view>
 
 #include "datasets/atomic_file.h"
+#include "datasets/image.h"
 #include "datasets/input_error.h"
 #include "datasets/pcd_header.h"
 
 namespace epcc {
 
 namespace {
-
-/// PCL says nothing while this lives.
-class QuietPcl {
- public:
-  QuietPcl() : level_(pcl::console::getVerbosityLevel()) { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
-  ~QuietPcl() { pcl::console::setVerbosityLevel(level_); }
-  QuietPcl(const QuietPcl&) = delete;
-  QuietPcl& operator=(const QuietPcl&) = delete;
-
- private:
-  pcl::console::VERBOSITY_LEVEL level_;
-};
 
 const PcdField& coordinate(const std::string& path, const PcdHeader& header, const char* name) {
   const PcdField* field = header.field(name);
@@ -214,6 +202,36 @@ void readBinaryCompressed(const std::string& path, const PcdHeader& header, cons
   }
 }
 
+// ---- writing ----
+
+std::string labelledHeader(int width, int height) {
+  std::ostringstream header;
+  header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\n"
+         << "COUNT 1 1 1 1\nWIDTH " << width << "\nHEIGHT " << height << "\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS "
+         << static_cast<long>(width) * height << "\nDATA binary_compressed\n";
+  return header.str();
+}
+
+/// The two sizes and the fields one after another, LZF.
+std::string labelledPayload(const std::string& path, const std::vector<float>& xyz,
+                            const std::vector<std::uint32_t>& labels) {
+  std::vector<std::uint32_t> fields(4 * labels.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      std::memcpy(&fields[axis * labels.size() + i], &xyz[3 * i + axis], sizeof(float));
+    fields[3 * labels.size() + i] = labels[i];
+  }
+  const auto size = static_cast<std::uint32_t>(4 * fields.size());
+  std::string payload(8 + size + size / 2 + 64, '\0');
+  const std::uint32_t packed_size =
+      pcl::lzfCompress(fields.data(), size, &payload[8], static_cast<std::uint32_t>(payload.size() - 8));
+  if (packed_size == 0) throw OutputError(path, "DATA", "cannot be compressed");
+  std::memcpy(&payload[0], &packed_size, sizeof packed_size);
+  std::memcpy(&payload[4], &size, sizeof size);
+  payload.resize(8 + packed_size);
+  return payload;
+}
+
 }  // namespace
 
 OrganizedCloud readOrganizedPcd(const std::string& path, const std::string& label_field) {
@@ -238,25 +256,10 @@ void writeLabelledPcd(const std::string& path, int width, int height, const std:
   const std::size_t points = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (width <= 0 || height <= 0 || labels.size() != points || xyz.size() != 3 * points)
     throw OutputError(path, "size", "points and labels do not match the size of the cloud");
-  pcl::PointCloud<pcl::PointXYZL> cloud(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
-  for (std::size_t i = 0; i < points; ++i) {
-    cloud[i].x = xyz[3 * i];
-    cloud[i].y = xyz[3 * i + 1];
-    cloud[i].z = xyz[3 * i + 2];
-    cloud[i].label = labels[i];
-  }
-  cloud.is_dense = false;
-  const QuietPcl quiet;
-  writeAtomically(path, [&](const std::string& temporary) {
-    try {
-      if (pcl::PCDWriter().writeBinaryCompressed(temporary, cloud) < 0)
-        throw OutputError(path, "file", "cannot be written");
-    } catch (const OutputError&) {
-      throw;
-    } catch (const std::exception& error) {
-      throw OutputError(path, "file", error.what());
-    }
-  });
+  if (width > kLargestImageSide || height > kLargestImageSide || static_cast<long>(points) > kMostPixels)
+    throw OutputError(path, "size", "is more than a reader takes");
+  const std::string bytes = labelledHeader(width, height) + labelledPayload(path, xyz, labels);
+  writeTextFile(path, bytes);
 }
 
 }  // namespace epcc

@@ -3,6 +3,8 @@
 #include "datasets/organized_pcd.h"
 
 #include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
 
 #include <cmath>
 #include <limits>
@@ -252,6 +254,33 @@ TEST_F(OrganizedPcdTest, LargeCloudsOfNoiseAndOfOneValueRoundTrip) {
     const OrganizedCloud cloud = readOrganizedPcd(path("a.pcd"), "label");
     EXPECT_EQ(cloud.xyz, xyz);
     EXPECT_EQ(cloud.label, std::vector<float>(labels.begin(), labels.end()));
+  }
+}
+
+TEST_F(OrganizedPcdTest, SmallestCloudsRoundTrip) {
+  for (const auto& [width, height] : {std::pair{1, 2}, {2, 2}, {1, 3}}) {
+    const std::vector<float> xyz(3 * static_cast<std::size_t>(width * height), 0.7f);
+    writeLabelledPcd(path("a.pcd"), width, height, xyz, std::vector<std::uint32_t>(xyz.size() / 3, 5));
+    EXPECT_EQ(readOrganizedPcd(path("a.pcd"), "label").xyz, xyz);
+  }
+}
+
+TEST_F(OrganizedPcdTest, PclReadsWhatIsWritten) {
+  std::vector<float> xyz(3u * 40 * 30);
+  std::vector<std::uint32_t> labels(40 * 30);
+  for (std::size_t i = 0; i < xyz.size(); ++i) xyz[i] = std::sin(static_cast<float>(i));
+  for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = static_cast<std::uint32_t>(i / 100);
+  xyz[7] = kNaN;
+  writeLabelledPcd(path("a.pcd"), 40, 30, xyz, labels);
+  pcl::PointCloud<pcl::PointXYZL> cloud;
+  ASSERT_EQ(pcl::io::loadPCDFile(path("a.pcd"), cloud), 0);
+  EXPECT_EQ(cloud.width, 40u);
+  EXPECT_EQ(cloud.height, 30u);
+  EXPECT_FALSE(cloud.is_dense);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    EXPECT_EQ(cloud[i].x, xyz[3 * i]);
+    EXPECT_EQ(cloud[i].z, xyz[3 * i + 2]);
+    EXPECT_EQ(cloud[i].label, labels[i]);
   }
 }
 
