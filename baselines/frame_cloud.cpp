@@ -43,11 +43,23 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr organizedCloud(const DepthFrame& frame) {
   return cloud;
 }
 
-double medianDistance(const pcl::PointCloud<pcl::PointXYZ>& cloud) {
-  if (cloud.empty()) return 0.0;
+double medianSpacing(const DepthFrame& frame) {
   std::vector<double> distances;
-  distances.reserve(cloud.size());
-  for (const auto& point : cloud) distances.push_back(point.getVector3fMap().cast<double>().norm());
+  distances.reserve(2 * static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height()));
+  pcl::PointXYZ point, neighbour;
+  for (int row = 0; row < frame.height(); ++row)
+    for (int column = 0; column < frame.width(); ++column) {
+      if (!finitePoint(frame, row, column, point)) continue;
+      const auto add = [&](int other_row, int other_column) {
+        if (other_row >= frame.height() || other_column >= frame.width()) return;
+        if (!finitePoint(frame, other_row, other_column, neighbour)) return;
+        const Eigen::Vector3f step = neighbour.getVector3fMap() - point.getVector3fMap();
+        distances.push_back(step.cast<double>().norm());
+      };
+      add(row, column + 1);
+      add(row + 1, column);
+    }
+  if (distances.empty()) return 0.0;
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   return *middle;

@@ -24,7 +24,7 @@ MeasuredPoints measuredPoints(const DepthFrame& frame);
 /// The whole frame as an organized cloud of PCL's kind: NaN where nothing was measured.
 pcl::PointCloud<pcl::PointXYZ>::Ptr organizedCloud(const DepthFrame& frame);
 
-/// Median of the distances of the points from the sensor, metres; 0 for an empty cloud.
-double medianDistance(const pcl::PointCloud<pcl::PointXYZ>& cloud);
+/// Median distance in metres between the points of pixels side by side or one above the other; 0 without such pairs.
+double medianSpacing(const DepthFrame& frame);
 
 }  // namespace epcc

@@ -26,16 +26,16 @@ bool RansacSegmenter::run(const SegmenterInput& input, PlaneSegmentation& result
   if (!problem.empty()) return fail(problem);
   const MeasuredPoints measured = convert([&] { return measuredPoints(input.frame); });
   VoxelCloud voxels;
-  const double distance = medianDistance(*measured.cloud);
+  const double spacing = medianSpacing(input.frame);
   const std::string voxel_problem =
-      makeVoxelCloud(measured, parameters_.leaf.at(distance), parameters_.normal_neighbours, voxels);
+      makeVoxelCloud(measured, parameters_.leaf.at(spacing), parameters_.normal_neighbours, voxels);
   if (!voxel_problem.empty()) return fail(voxel_problem);
 
   pcl::SACSegmentationFromNormals<pcl::PointXYZ, pcl::Normal> ransac;
   ransac.setModelType(pcl::SACMODEL_NORMAL_PLANE);
   ransac.setMethodType(pcl::SAC_RANSAC);
   ransac.setOptimizeCoefficients(true);
-  ransac.setDistanceThreshold(parameters_.inlier_distance.at(distance));
+  ransac.setDistanceThreshold(parameters_.inlier_distance.at(spacing));
   ransac.setNormalDistanceWeight(parameters_.normal_distance_weight);
   ransac.setMaxIterations(parameters_.iterations);
   ransac.setInputCloud(voxels.points);

@@ -25,7 +25,7 @@ bool RegionGrowingSegmenter::run(const SegmenterInput& input, PlaneSegmentation&
   if (!problem.empty()) return fail(problem);
   const MeasuredPoints measured = convert([&] { return measuredPoints(input.frame); });
   VoxelCloud voxels;
-  const double leaf = parameters_.leaf.at(medianDistance(*measured.cloud));
+  const double leaf = parameters_.leaf.at(medianSpacing(input.frame));
   const std::string voxel_problem = makeVoxelCloud(measured, leaf, parameters_.normal_neighbours, voxels);
   if (!voxel_problem.empty()) return fail(voxel_problem);
   if (voxels.points->empty()) return true;

@@ -62,6 +62,7 @@ std::string makeVoxelCloud(const MeasuredPoints& measured, double leaf, int neig
   result.normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   result.point_of_measured.assign(measured.pixels.size(), -1);
   if (measured.cloud->size() < 3) return {};
+  if (!(leaf > 0.0 && std::isfinite(leaf))) return "the measured points do not tell a size of the voxel leaf";
   const std::string problem = checkLeaf(*measured.cloud, leaf);
   if (!problem.empty()) return problem;
 
