@@ -27,6 +27,9 @@ std::string checkLeaf(const Cloud& cloud, double leaf) {
     low = low.min(p);
     high = high.max(p);
   }
+  constexpr double kFarthest = 1e12;  // metres; PCL sums coordinates and their squares in single precision
+  if (std::max(low.abs().maxCoeff(), high.abs().maxCoeff()) > kFarthest)
+    return "there are points farther than 1e12 m: PCL's single precision would overflow";
   const Eigen::Array3d cells = (high / leaf).floor() - (low / leaf).floor() + 3.0;
   const double farthest = std::max(low.abs().maxCoeff(), high.abs().maxCoeff()) / leaf;
   if (cells.prod() < kLargest && farthest < 0.5 * kLargest) return {};
