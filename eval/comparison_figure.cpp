@@ -35,7 +35,9 @@ std::vector<std::int32_t> labelsAsInTruth(const LabelledFrame& frame, const Plan
 }
 
 ColorImage drawAsInTruth(const LabelledFrame& frame, const PlaneSegmentation& segmentation) {
-  return drawOverlay(frame.depth, labelsAsInTruth(frame, segmentation));
+  OverlayStyle style;
+  style.borders = false;  // ragged borders would hide the colours
+  return drawOverlay(frame.depth, labelsAsInTruth(frame, segmentation), style);
 }
 
 ColorImage comparisonFigure(const Comparison& comparison, const std::string& epcc) {
