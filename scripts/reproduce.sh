@@ -14,4 +14,4 @@ if ! { cmake --preset release && cmake --build --preset release --target epcc_co
   echo "reproduce.sh: the build failed, see $log" >&2
   exit 1
 fi
-exec build/release/bin/epcc_compare --out results "$@"
+exec build/release/bin/epcc_compare "$@"
