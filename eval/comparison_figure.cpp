@@ -42,7 +42,7 @@ ColorImage drawAsInTruth(const LabelledFrame& frame, const PlaneSegmentation& se
 
 ColorImage comparisonFigure(const Comparison& comparison, const std::string& epcc) {
   Mosaic mosaic;
-  mosaic.column_captions = {"Depth", "Ground truth", "RG", "RANSAC", "EPCC"};
+  mosaic.column_captions = {"Depth (rendered)", "Ground truth", "RG", "RANSAC", "EPCC"};
   for (const ComparedFrame& compared : comparison.frames) {
     mosaic.row_captions.push_back(compared.scene);
     std::vector<ColorImage> row = {shadeDepth(compared.frame.depth),

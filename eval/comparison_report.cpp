@@ -37,7 +37,7 @@ std::string measuredCell(const ComparisonRow& row, std::size_t score) {
 }
 
 std::string latexText(const Comparison& comparison, const ComparisonOptions& options) {
-  return "% " + comparisonNote(options) + "\n" + latexTable(comparisonTable(comparison));
+  return latexTable(comparisonTable(comparison)) + "\n\\par\\smallskip{\\small " + comparisonNote(options) + "}\n";
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void addLineColumns(const StudyResult& result, Table& table) {
 
 ColorImage pictureByFrames(const Study& study, const StudyResult& result) {
   Mosaic mosaic;
-  mosaic.column_captions = {"Depth", "Ground truth"};
+  mosaic.column_captions = {"Depth (rendered)", "Ground truth"};
   for (const StudyVariant& variant : study.variants) mosaic.column_captions.push_back(variant.row);
   for (const StudyPicture& picture : result.pictures) {
     mosaic.row_captions.push_back(picture.frames);
