@@ -2,6 +2,7 @@
 // Composes the single line of an error.
 #include "datasets/input_error.h"
 
+#include <cstdint>
 #include <filesystem>
 
 namespace epcc {
@@ -11,23 +12,43 @@ std::string line(const std::string& file, const std::string& field, const std::s
   return printable(file, 1000) + ": " + printable(field) + ": " + printable(what, 400);
 }
 
-/// Bytes of the control character or line separator that starts at `at`, 0 if none does.
-std::size_t controlLength(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  if (byte(at) < 0x20 || byte(at) == 0x7f) return 1;
-  if (byte(at) == 0xc2 && byte(at + 1) >= 0x80 && byte(at + 1) <= 0x9f) return 2;  // U+0080 to U+009F
-  const bool separator = byte(at) == 0xe2 && byte(at + 1) == 0x80 && (byte(at + 2) == 0xa8 || byte(at + 2) == 0xa9);
-  return separator ? 3 : 0;  // U+2028, U+2029
+/// Bytes of the UTF-8 character at `at`, 0 if there is none; `code` is its number.
+std::size_t decode(const std::string& text, std::size_t at, std::uint32_t& code) {
+  const auto first = static_cast<unsigned char>(text[at]);
+  const std::size_t length = first < 0x80   ? 1
+                             : first < 0xc2 ? 0
+                             : first < 0xe0 ? 2
+                             : first < 0xf0 ? 3
+                             : first < 0xf5 ? 4
+                                            : 0;
+  if (length == 0 || at + length > text.size()) return 0;
+  code = length == 1 ? first : first & (0x7fU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    const auto next = static_cast<unsigned char>(text[at + i]);
+    if ((next & 0xc0U) != 0x80) return 0;
+    code = (code << 6) | (next & 0x3fU);
+  }
+  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+  return overlong || code > 0x10ffff || (code >= 0xd800 && code < 0xe000) ? 0 : length;
 }
+
+/// Characters that move the cursor, end a line or turn the writing direction.
+bool isControl(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x200e && code <= 0x200f) ||
+         (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
 }  // namespace
 
 std::string printable(const std::string& text, std::size_t longest) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
-    if (result.size() >= longest) return result + "...";
-    const std::size_t control = controlLength(text, at);
-    result += control > 0 ? '?' : text[at];
-    at += control > 0 ? control : 1;
+    std::uint32_t code = 0;
+    const std::size_t length = decode(text, at, code);
+    const bool fit = length != 0 && !isControl(code);
+    if (result.size() + (fit ? length : 1) > longest) return result + "...";
+    result += fit ? text.substr(at, length) : "?";
+    at += length == 0 ? 1 : length;
   }
   return result;
 }

@@ -9,8 +9,9 @@
 
 namespace epcc {
 
-/// Text fit for one line of a terminal: control characters and line separators (ASCII, C1 and Unicode in UTF-8)
-/// become '?', long texts are cut.
+/// Text fit for one line of a terminal, in valid UTF-8: control characters (ASCII and C1), line separators, marks of
+/// the writing direction and bytes that are no UTF-8 become '?'; texts of more than `longest` bytes are cut between
+/// characters.
 std::string printable(const std::string& text, std::size_t longest = 200);
 
 /// A file that cannot be used. what() is "FILE: FIELD: WHAT", always a single line.

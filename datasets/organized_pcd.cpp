@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <string_view>
 
@@ -234,7 +235,7 @@ std::string labelledPayload(const std::string& path, const std::vector<float>& x
 
 }  // namespace
 
-OrganizedCloud readOrganizedPcd(const std::string& path, const std::string& label_field) {
+OrganizedCloud readOrganizedPcd(const std::string& path, const std::string& label_field) try {
   const PcdHeader header = readPcdHeader(path);
   const auto wanted = wantedFields(path, header, label_field);
   OrganizedCloud cloud;
@@ -249,6 +250,8 @@ OrganizedCloud readOrganizedPcd(const std::string& path, const std::string& labe
   else
     readBinaryCompressed(path, header, wanted, cloud);
   return cloud;
+} catch (const std::bad_alloc&) {
+  throw InputError(path, "file", "needs more memory than there is");
 }
 
 void writeLabelledPcd(const std::string& path, int width, int height, const std::vector<float>& xyz,

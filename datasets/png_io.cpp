@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <new>
 
 #include "datasets/atomic_file.h"
 #include "datasets/input_error.h"
@@ -132,7 +133,7 @@ void writeImage(const std::string& path, const Image<T>& image, int bit_depth, i
 
 }  // namespace
 
-Image<std::uint16_t> readGray16(const std::string& path) {
+Image<std::uint16_t> readGray16(const std::string& path) try {
   const std::uintmax_t file_size = inputFileSize(path);
   File file(std::fopen(path.c_str(), "rb"));
   if (!file) throw InputError(path, "file", std::strerror(errno));
@@ -158,6 +159,8 @@ Image<std::uint16_t> readGray16(const std::string& path) {
   auto rows = rowPointers(image);
   if (!readPixels(reader, rows.data())) throw InputError(path, "PNG data", reader.message);
   return image;
+} catch (const std::bad_alloc&) {
+  throw InputError(path, "file", "needs more memory than there is");
 }
 
 void writeGray16(const std::string& path, const Image<std::uint16_t>& image) {

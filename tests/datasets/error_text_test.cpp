@@ -24,6 +24,22 @@ TEST(PrintableTest, ReplacesControlCharactersInUtf8) {
 TEST(PrintableTest, ReplacesUnicodeLineSeparators) {
   EXPECT_EQ(printable("\xe2\x80\xa8|\xe2\x80\xa9|\xe2\x80\xa6"), "?|?|\xe2\x80\xa6");
 }
+TEST(PrintableTest, ReplacesMarksOfTheWritingDirection) {
+  EXPECT_EQ(printable("\xe2\x80\xae|\xe2\x81\xa6|\xe2\x80\x8f"), "?|?|?");
+}
+TEST(PrintableTest, ReplacesBytesThatAreNoUtf8) {
+  EXPECT_EQ(printable("\xff"), "?");
+  EXPECT_EQ(printable("\xc3"), "?");                 // ends early
+  EXPECT_EQ(printable("\xe2|\xa1"), "?|?");          // broken off
+  EXPECT_EQ(printable("\xc0\xaf"), "??");            // overlong
+  EXPECT_EQ(printable("\xed\xa0\x80"), "???");       // a surrogate
+  EXPECT_EQ(printable("\xf4\x90\x80\x80"), "????");  // beyond Unicode
+  EXPECT_EQ(printable("\xf0\x9f\x98\x80"), "\xf0\x9f\x98\x80");
+}
+TEST(PrintableTest, CutsBetweenCharacters) {
+  EXPECT_EQ(printable("\xc3\xbc\xc3\xbc", 3), "\xc3\xbc...");
+  EXPECT_EQ(printable("\xc3\xbc\xc3\xbc", 4), "\xc3\xbc\xc3\xbc");
+}
 TEST(PrintableTest, CutsLongTexts) {
   EXPECT_EQ(printable("abcdef", 3), "abc...");
   EXPECT_EQ(printable("abc", 3), "abc");
