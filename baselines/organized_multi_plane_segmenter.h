@@ -6,8 +6,8 @@
 
 namespace epcc {
 
-/// Parameters of pcl::IntegralImageNormalEstimation and pcl::OrganizedMultiPlaneSegmentation. The defaults are those
-/// of the two classes.
+/// Parameters of pcl::IntegralImageNormalEstimation and pcl::OrganizedMultiPlaneSegmentation. The defaults here
+/// are those of the two classes; real frames use defaultParameters().
 struct OrganizedMultiPlaneParameters {
   double max_depth_change = 0.02;     ///< Depth step at which normals end, as PCL scales it. (0, 10]
   double normal_smoothing = 10.0;     ///< Window of a normal, pixels. [3, 1000]

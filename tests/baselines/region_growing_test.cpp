@@ -12,7 +12,7 @@ namespace epcc::test {
 namespace {
 
 TEST(RegionGrowing, TooSmallALeafIsAnErrorNotAnUnfilteredRun) {
-  // 7 m x 5 m x 3 m in leaves of 1 mm: 1e11 voxels, beyond PCL's 32-bit index.
+  // A room of metres in leaves of 0.1 mm: more than 1e12 voxels, beyond PCL's 32-bit index.
   RegionGrowingParameters parameters;
   parameters.leaf = {0.0001, 0.0};
   RegionGrowingSegmenter segmenter(parameters);
