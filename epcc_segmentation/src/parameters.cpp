@@ -65,9 +65,10 @@ std::string MergingParameters::validate() const {
                   checkRange("merging.max_step", max_step, kSmallest, 1e6),
                   checkRange("merging.ragged_border", ragged_border, kSmallest, 1e6),
                   checkRange("merging.max_ragged_gain", max_ragged_gain, 1.0, 100.0),
-                  checkRange("merging.bridge_pixels", bridge_pixels, 0, 1000),
+                  checkRange("merging.bridge_samples", bridge_samples, 0.0, 1000.0),
                   checkRange("merging.min_contacts", min_contacts, 1, 1000000),
-                  checkRange("merging.min_samples", min_samples, 0.0, 1e6)});
+                  checkRange("merging.min_samples", min_samples, 0.0, 1e6),
+                  checkRange("merging.max_occluder", max_occluder, 0.0, 100.0)});
 }
 
 std::string RefinementParameters::validate() const {
@@ -86,7 +87,10 @@ std::string EvidenceParameters::validate() const {
   return firstOf({checkRange("evidence.min_points", min_points, 1, 1000000000),
                   checkRange("evidence.min_samples", min_samples, 0.0, 1e6),
                   checkRange("evidence.max_chi2", max_chi2, kSmallest, 1e6),
-                  checkRange("evidence.min_evidence", min_evidence, 0.0, 1e6)});
+                  checkRange("evidence.min_evidence", min_evidence, 0.0, 1e6),
+                  checkRange("evidence.min_radius", min_radius, 0.0, 1e6),
+                  checkRange("evidence.bending_share", bending_share, 0.0, 1.0),
+                  checkRange("evidence.bending_evidence", bending_evidence, 0.0, 1e6)});
 }
 
 std::string Parameters::validate() const {

@@ -90,6 +90,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   pipeline.mergeRegions();      // S4
   pipeline.refineBoundaries();  // S5, S6
   pipeline.rejectClutter();     // S7
+  pipeline.joinOccluded();      // S8
   times_.regions = watch.lap();
   copyLabels(frame, pipeline.labels(), result.labels);
   times_.result = watch.lap();

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps S1 to S7 of the default mode, one by one.
+// The steps S1, S2 and S5 of the default mode and the moments, one by one.
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 
 #include "inverse_depth/boundary_refinement.h"
-#include "inverse_depth/evidence.h"
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/line_growing.h"
 #include "inverse_depth/plane_growing.h"
-#include "inverse_depth/region_merging.h"
-#include "support/rendered_room.h"
+#include "region_fixture.h"
 
 namespace {
 
@@ -19,24 +17,11 @@ using epcc::GrownLine;
 using epcc::InverseDepthImage;
 using epcc::LineSums;
 using epcc::PlaneMoments;
-using epcc::RegionMap;
 using epcc::SensorModel;
 
-const SensorModel kWhite = SensorModel::axial(0.002, 0.0, 0.1);
-
-InverseDepthImage imageOf(const epcc::test::RenderedRoom& room, const SensorModel& sensor = kWhite) {
-  InverseDepthImage image;
-  image.read(room.frame(), sensor);
-  return image;
-}
-
-RegionMap regionsOf(const InverseDepthImage& image, const std::vector<std::int32_t>& labels, int count) {
-  RegionMap map;
-  map.labels = labels;
-  map.regions.resize(static_cast<std::size_t>(count));
-  map.accumulate(image);
-  return map;
-}
+using epcc::test::imageOf;
+using epcc::test::kWhite;
+using epcc::test::regionsOf;
 
 /// q of the plane (a, b, c, d): w = q . (u, v, 1).
 Eigen::Vector3d inverseDepthPlane(const Eigen::Vector4d& plane) {
@@ -238,65 +223,6 @@ TEST(PlaneGrowing, SegmentsThatDoNotOverlapInTheImageStayApart) {
   EXPECT_EQ(planesOf({{lineOf(0.5, 0, 50, 5e-4)}, {lineOf(0.5, 20, 80, 5e-4)}})[1], 0);
 }
 
-// ---- S4 ----
-
-/// A wall cut into vertical strips of `strip` columns, each a region of its own.
-std::vector<std::int32_t> strips(const epcc::PinholeCamera& camera, int strip) {
-  std::vector<std::int32_t> labels;
-  for (int row = 0; row < camera.height; ++row)
-    for (int column = 0; column < camera.width; ++column) labels.push_back(1 + column / strip);
-  return labels;
-}
-
-TEST(RegionMerging, PiecesOfOneWallBecomeOne) {
-  auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera());
-  epcc::test::addNoise(room, kWhite, 3);
-  const auto image = imageOf(room);
-  auto map = regionsOf(image, strips(room.camera, 20), 8);
-  epcc::mergeRegions(image, epcc::MergingParameters(), kWhite, map);
-  EXPECT_EQ(map.regions[0].n, 160.0 * 120.0);
-  for (const auto label : map.labels) ASSERT_EQ(label, 1);
-}
-
-TEST(RegionMerging, TheFacesOfARoomStayApart) {
-  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
-  epcc::test::addNoise(room, kWhite, 3);
-  const auto image = imageOf(room);
-  auto map = regionsOf(image, room.labels, 3);
-  epcc::mergeRegions(image, epcc::MergingParameters(), kWhite, map);
-  EXPECT_EQ(map.labels, room.labels);
-}
-
-TEST(RegionMerging, ASmallStepBoxOnAWallIsKeptByItsBorder) {
-  const SensorModel blotchy = SensorModel::axial(0.002, 0.0, 4.0);  // wide tolerance for fragments
-  const auto camera = epcc::test::testCamera();
-  for (const double step : {0.0, 0.03}) {
-    epcc::test::RenderedRoom room{camera, {}, {}};
-    for (int row = 0; row < camera.height; ++row)
-      for (int column = 0; column < camera.width; ++column) {
-        const bool box = row >= 40 && row < 60 && column >= 60 && column < 90;
-        room.depth.push_back(static_cast<float>(box ? 1.0 - step : 1.0));
-        room.labels.push_back(box ? 2 : 1);
-      }
-    const auto image = imageOf(room, blotchy);
-    auto map = regionsOf(image, room.labels, 2);
-    epcc::mergeRegions(image, epcc::MergingParameters(), blotchy, map);
-    EXPECT_EQ(map.regions[1].n > 0.0, step > 0.0) << step;
-  }
-}
-
-TEST(RegionMerging, RegionsBelowTheSampleLimitAreDropped) {
-  const auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera());
-  const SensorModel blotchy = SensorModel::axial(0.002, 0.0, 4.0);
-  const auto image = imageOf(room, blotchy);
-  std::vector<std::int32_t> labels(room.labels.size(), 0);
-  for (int i = 0; i < 100; ++i) labels[static_cast<std::size_t>(i)] = 1;
-  auto map = regionsOf(image, labels, 1);  // 100 pixels: one independent sample
-  epcc::mergeRegions(image, epcc::MergingParameters(), blotchy, map);
-  EXPECT_EQ(map.labels, std::vector<std::int32_t>(room.labels.size(), 0));
-  EXPECT_EQ(map.regions[0].n, 0.0);
-}
-
 // ---- S5 ----
 
 TEST(BoundaryRefinement, AShiftedCornerMovesBackAndHolesAreFilled) {
@@ -331,32 +257,6 @@ TEST(BoundaryRefinement, NothingIsLabelledBeyondTheResidual) {
   auto map = regionsOf(image, labels, 1);
   epcc::refineBoundaries(image, epcc::RefinementParameters(), map);
   EXPECT_EQ(map.labels, labels);
-}
-
-// ---- S7 ----
-
-PlaneMoments flatRegion(int pixels, double residual_sigma) {
-  std::mt19937 generator(6);
-  std::uniform_real_distribution<double> uniform(-0.3, 0.3);
-  std::normal_distribution<double> normal(0.0, residual_sigma * 0.01);
-  PlaneMoments moments;
-  for (int i = 0; i < pixels; ++i) {
-    const Eigen::Vector3d ray(uniform(generator), uniform(generator), 1.0);
-    moments.add(ray, 0.5 + normal(generator), 1e-4);
-  }
-  return moments;
-}
-
-TEST(Evidence, SizeRoughnessAndIndependentSamplesDecide) {
-  const epcc::EvidenceParameters parameters;
-  const SensorModel blotchy = SensorModel::axial(0.002, 0.0, 4.0);  // 100 pixels a sample
-  EXPECT_TRUE(epcc::isPlane(flatRegion(100, 0.5), parameters, kWhite));
-  EXPECT_FALSE(epcc::isPlane(flatRegion(59, 0.5), parameters, kWhite));
-  EXPECT_FALSE(epcc::isPlane(flatRegion(2000, 2.2), parameters, kWhite));  // chi^2 4.8
-  EXPECT_TRUE(epcc::isPlane(flatRegion(700, 0.5), parameters, blotchy));
-  EXPECT_FALSE(epcc::isPlane(flatRegion(500, 0.5), parameters, blotchy));   // 5 samples
-  EXPECT_FALSE(epcc::isPlane(flatRegion(1000, 1.3), parameters, blotchy));  // 10 samples, chi^2 1.7
-  EXPECT_TRUE(epcc::isPlane(flatRegion(3000, 1.3), parameters, blotchy));
 }
 
 }  // namespace

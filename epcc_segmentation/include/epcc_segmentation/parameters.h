@@ -93,7 +93,7 @@ struct PlaneGrowingParameters {
   std::string validate() const;
 };
 
-/// S4: merging of neighbouring regions (default mode).
+/// S4 and S8: merging of neighbouring regions and of those on both sides of an occluder (default mode).
 struct MergingParameters {
   /// c1: tolerance for fragments, in independent samples. [0, 1e6]
   double fragment_tolerance = 60.0;
@@ -106,12 +106,15 @@ struct MergingParameters {
   double ragged_border = 1.5;
   /// ... up to this factor. [1, 100]
   double max_ragged_gain = 2.0;
-  /// Regions are neighbours across at most so many unlabelled pixels ... [0, 1000]
-  int bridge_pixels = 25;
+  /// Regions are neighbours across unlabelled pixels worth so many independent samples of a line ... [0, 1000]
+  double bridge_samples = 1.0;
   /// ... in at least so many places. [1, 1e6]
   int min_contacts = 3;
   /// Regions with fewer independent samples are dropped. [0, 1e6]
   double min_samples = 3.0;
+  /// Regions on both sides of something nearer are neighbours, in S8, if it takes up no more of a row or column than
+  /// this times what is seen of the two; 0 keeps them apart. [0, 100]
+  double max_occluder = 0.5;
   std::string validate() const;
 };
 
@@ -145,6 +148,12 @@ struct EvidenceParameters {
   double max_chi2 = 4.0;
   /// Independent samples a region needs, times max(0.5, chi^2). [0, 1e6]
   double min_evidence = 10.0;
+  /// Surfaces that bend with a smaller radius are not planes, metres ... [0, 1e6]
+  double min_radius = 0.4;
+  /// ... if bending explains at least this share of the squared residuals ... [0, 1]
+  double bending_share = 0.6;
+  /// ... and is worth this many independent samples. [0, 1e6]
+  double bending_evidence = 5.0;
   std::string validate() const;
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// S7: size, chi^2 and the number of independent samples.
+// S7: size, chi^2, the number of independent samples, and bending.
 #include "inverse_depth/evidence.h"
 
 #include <algorithm>
 
 #include "inverse_depth/region_merging.h"
+#include "inverse_depth/surface_bending.h"
 
 namespace epcc {
 
@@ -18,13 +19,34 @@ bool isPlane(const PlaneMoments& region, const EvidenceParameters& parameters, c
   return region.n / pixels_per_sample >= parameters.min_evidence * std::max(0.5, chi2);
 }
 
-void rejectRegions(const EvidenceParameters& parameters, const SensorModel& sensor, RegionMap& map) {
-  std::vector<std::int32_t> new_label(map.regions.size() + 1, 0);
-  for (std::size_t k = 0; k < map.regions.size(); ++k) {
-    if (map.regions[k].n > 0.0 && isPlane(map.regions[k], parameters, sensor))
+namespace {
+
+bool isFacet(const Bending& bending, const EvidenceParameters& parameters, double pixels_per_sample,
+             double slope_factor) {
+  return bending.curvature * parameters.min_radius > 1.0 && bending.gain > parameters.bending_share * bending.rss &&
+         bending.gain > parameters.bending_evidence * pixels_per_sample * slope_factor;
+}
+
+}  // namespace
+
+void rejectRegions(const InverseDepthImage& image, const EvidenceParameters& parameters, const SensorModel& sensor,
+                   RegionMap& map) {
+  const std::size_t count = map.regions.size();
+  std::vector<std::uint8_t> plane(count, 0);
+  for (std::size_t k = 0; k < count; ++k)
+    plane[k] = map.regions[k].n > 0.0 && isPlane(map.regions[k], parameters, sensor);
+  const std::vector<Bending> bending = measureBending(image, map, plane);
+
+  std::vector<std::int32_t> new_label(count + 1, 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    PlaneMoments& region = map.regions[k];
+    if (plane[k] != 0 && isFacet(bending[k], parameters, sensor.pixelsPerSample(),
+                                 slopeFactor(region.fit(weakRidge(region)).q, region.meanW())))
+      plane[k] = 0;
+    if (plane[k] != 0)
       new_label[k + 1] = static_cast<std::int32_t>(k + 1);
     else
-      map.regions[k] = PlaneMoments();
+      region = PlaneMoments();
   }
   map.relabel(new_label);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// S7: regions that are too small, too rough or too poorly supported are no planes.
+// S7: regions that are too small, too rough, too poorly supported or bent are no planes.
 #pragma once
 
 #include "epcc_segmentation/parameters.h"
@@ -11,7 +11,9 @@ namespace epcc {
 /// True if the region counts as a plane.
 bool isPlane(const PlaneMoments& region, const EvidenceParameters& parameters, const SensorModel& sensor);
 
-/// Unlabels the pixels of the regions that do not.
-void rejectRegions(const EvidenceParameters& parameters, const SensorModel& sensor, RegionMap& map);
+/// Unlabels the pixels of the regions that do not, and of those that are facets of a curved surface: a quadric explains
+/// most of their residual, and bends tightly.
+void rejectRegions(const InverseDepthImage& image, const EvidenceParameters& parameters, const SensorModel& sensor,
+                   RegionMap& map);
 
 }  // namespace epcc

@@ -105,17 +105,25 @@ void InverseDepthPipeline::joinDirections() {
 }
 
 void InverseDepthPipeline::mergeRegions() {
-  epcc::mergeRegions(image_, parameters_.merging, sensor_, map_);
+  const int bridge = static_cast<int>(parameters_.merging.bridge_samples * sensor_.pixelsPerLineSample());
+  epcc::mergeRegions(findContacts(image_, bridge, map_), parameters_.merging, sensor_, map_);
+  dropSmallRegions(parameters_.merging, sensor_, map_);
 }
 
 void InverseDepthPipeline::refineBoundaries() {
   epcc::refineBoundaries(image_, parameters_.refinement, map_);
   map_.accumulate(image_);
-  epcc::mergeRegions(image_, parameters_.merging, sensor_, map_);  // S6
+  mergeRegions();  // S6
 }
 
 void InverseDepthPipeline::rejectClutter() {
-  rejectRegions(parameters_.evidence, sensor_, map_);
+  rejectRegions(image_, parameters_.evidence, sensor_, map_);
+}
+
+void InverseDepthPipeline::joinOccluded() {
+  const RegionContacts contacts =
+      findOccludedContacts(image_, parameters_.merging.max_occluder, parameters_.refinement.max_residual, map_);
+  epcc::mergeRegions(contacts, parameters_.merging, sensor_, map_);
 }
 
 }  // namespace epcc

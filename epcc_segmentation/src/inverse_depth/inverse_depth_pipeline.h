@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The default mode, S1 to S7, with its memory.
+// The default mode, S1 to S8, with its memory.
 #pragma once
 
 #include <vector>
@@ -26,6 +26,7 @@ class InverseDepthPipeline {
   void mergeRegions();                 ///< S4
   void refineBoundaries();             ///< S5, S6
   void rejectClutter();                ///< S7
+  void joinOccluded();                 ///< S8
 
   /// Row-major labels, 0 or index into the regions + 1; some regions may be empty.
   const std::vector<std::int32_t>& labels() const { return map_.labels; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// S4: region graph, best-first queue with stale entries skipped by version.
+// S4: best-first queue over pairs of regions, stale entries skipped by version.
 #include "inverse_depth/region_merging.h"
 
 #include <algorithm>
@@ -7,71 +7,20 @@
 #include <limits>
 #include <map>
 #include <queue>
-#include <unordered_map>
 
 namespace epcc {
 
 namespace {
 
-using Contacts = std::vector<std::map<std::int32_t, Contact>>;  // per region: neighbour -> contacts
-using PairContacts = std::unordered_map<std::uint64_t, Contact>;
+using Neighbours = std::vector<std::map<std::int32_t, Contact>>;  // per region: neighbour -> contacts
 
-/// Collects, along one line of pixels, the label changes across at most `bridge` unlabelled pixels.
-class ContactCounter {
- public:
-  ContactCounter(const InverseDepthImage& image, int bridge, PairContacts& contacts)
-      : image_(image), bridge_(bridge), contacts_(contacts) {}
-
-  void add(int row, int column, int position, std::int32_t label) {
-    if (label == 0) return;
-    if (last_label_ != 0 && last_label_ != label && position - last_position_ <= bridge_ + 1) {
-      const auto low = static_cast<std::uint32_t>(std::min(label, last_label_));
-      const auto high = static_cast<std::uint32_t>(std::max(label, last_label_));
-      Contact& contact = contacts_[(static_cast<std::uint64_t>(high) << 32) | low];
-      ++contact.count;
-      contact.rays += 0.5 * (weightedRay(row, column) + weightedRay(last_row_, last_column_));
-    }
-    last_label_ = label;
-    last_position_ = position;
-    last_row_ = row;
-    last_column_ = column;
-  }
-
- private:
-  Eigen::Matrix3d weightedRay(int row, int column) const {
-    const double w = static_cast<double>(image_.w[static_cast<std::size_t>(row) * image_.width + column]);
-    const Eigen::Vector3d ray = image_.ray(row, column);
-    return ray * ray.transpose() / image_.variance(w, row);
-  }
-
-  const InverseDepthImage& image_;
-  int bridge_;
-  PairContacts& contacts_;
-  std::int32_t last_label_ = 0;
-  int last_position_ = 0;
-  int last_row_ = 0;
-  int last_column_ = 0;
-};
-
-Contacts findContacts(const InverseDepthImage& image, int bridge, const RegionMap& map) {
-  PairContacts pairs;
-  std::vector<ContactCounter> columns(static_cast<std::size_t>(image.width), ContactCounter(image, bridge, pairs));
-  for (int row = 0; row < image.height; ++row) {
-    ContactCounter along_row(image, bridge, pairs);
-    for (int column = 0; column < image.width; ++column) {
-      const std::int32_t label = map.labels[static_cast<std::size_t>(row) * image.width + column];
-      along_row.add(row, column, column, label);
-      columns[static_cast<std::size_t>(column)].add(row, column, row, label);
-    }
-  }
-  Contacts contacts(map.regions.size() + 1);
+Neighbours byRegion(const RegionContacts& pairs, std::size_t regions) {
+  Neighbours neighbours(regions + 1);
   for (const auto& [pair, contact] : pairs) {
-    const auto high = static_cast<std::int32_t>(pair >> 32);
-    const auto low = static_cast<std::int32_t>(pair & 0xffffffffu);
-    contacts[static_cast<std::size_t>(low)][high] = contact;
-    contacts[static_cast<std::size_t>(high)][low] = contact;
+    neighbours[static_cast<std::size_t>(pair.low)][pair.high] = contact;
+    neighbours[static_cast<std::size_t>(pair.high)][pair.low] = contact;
   }
-  return contacts;
+  return neighbours;
 }
 
 /// A possible merge; of equal costs the smaller labels go first, so that the order is always the same.
@@ -87,7 +36,7 @@ struct Candidate {
 
 class Merger {
  public:
-  Merger(const MergingParameters& parameters, double pixels_per_sample, RegionMap& map, Contacts contacts)
+  Merger(const MergingParameters& parameters, double pixels_per_sample, RegionMap& map, Neighbours contacts)
       : parameters_(parameters),
         pixels_per_sample_(pixels_per_sample),
         map_(map),
@@ -152,7 +101,7 @@ class Merger {
   const MergingParameters& parameters_;
   double pixels_per_sample_;
   RegionMap& map_;
-  Contacts contacts_;
+  Neighbours contacts_;
   std::vector<int> version_;
   std::vector<std::int32_t> parent_;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue_;
@@ -188,17 +137,21 @@ double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const Contact& co
   return (fit.rss - fit_a.rss - fit_b.rss) / (tolerance * slope_factor);
 }
 
-void mergeRegions(const InverseDepthImage& image, const MergingParameters& parameters, const SensorModel& sensor,
+void mergeRegions(const RegionContacts& contacts, const MergingParameters& parameters, const SensorModel& sensor,
                   RegionMap& map) {
-  Merger merger(parameters, sensor.pixelsPerSample(), map, findContacts(image, parameters.bridge_pixels, map));
+  Merger merger(parameters, sensor.pixelsPerSample(), map, byRegion(contacts, map.regions.size()));
   merger.run();
-  std::vector<std::int32_t> new_label = merger.roots();
-  for (std::size_t k = 1; k < new_label.size(); ++k) {
-    PlaneMoments& region = map.regions[static_cast<std::size_t>(new_label[k]) - 1];
-    if (region.n < parameters.min_samples * sensor.pixelsPerSample()) new_label[k] = 0;
+  map.relabel(merger.roots());
+}
+
+void dropSmallRegions(const MergingParameters& parameters, const SensorModel& sensor, RegionMap& map) {
+  std::vector<std::int32_t> new_label(map.regions.size() + 1, 0);
+  for (std::size_t k = 0; k < map.regions.size(); ++k) {
+    if (map.regions[k].n < parameters.min_samples * sensor.pixelsPerSample())
+      map.regions[k] = PlaneMoments();
+    else
+      new_label[k + 1] = static_cast<std::int32_t>(k + 1);
   }
-  for (auto& region : map.regions)
-    if (region.n < parameters.min_samples * sensor.pixelsPerSample()) region = PlaneMoments();
   map.relabel(new_label);
 }
 

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Residuals from the plane against 1, u, v, u^2, u v, v^2 in the region's own view.
+#include "inverse_depth/surface_bending.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "inverse_depth/region_merging.h"
+
+namespace epcc {
+
+namespace {
+
+/// A region is sampled on a grid wide enough to leave about this many of its pixels: neighbours hardly differ.
+constexpr double kSamples = 500.0;
+
+/// Pixels of a scan more than 78 degrees to the side of a region's middle are left out: u grows without bounds there.
+constexpr double kLeastDepth = 0.2;
+
+using Terms = Eigen::Matrix<double, 6, 1>;
+
+/// The camera turned about its column axis until it looks at the region, so that a region anywhere in the image or on
+/// a scan has the coordinates u = x'/z', v = y'/z' about (0, v0).
+class RegionView {
+ public:
+  explicit RegionView(const PlaneMoments& region) {
+    // Rays weighted by w: their direction is the middle of the region.
+    const double length = std::hypot(region.rays_w.x(), region.rays_w.z());
+    sine_ = region.rays_w.x() / length;
+    cosine_ = region.rays_w.z() / length;
+    v0_ = region.rays_w.y() / length;
+    q_ = region.fit(weakRidge(region)).q;
+    stride_ = std::max(1, static_cast<int>(std::sqrt(region.n / kSamples)));
+    normal_ = {cosine_ * q_.x() - sine_ * q_.z(), q_.y(), sine_ * q_.x() + cosine_ * q_.z()};
+  }
+
+  int stride() const { return stride_; }
+
+  void add(const Eigen::Vector3d& ray, double w, double variance) {
+    const double depth = sine_ * ray.x() + cosine_ * ray.z();  // z' of a ray of unit depth; 1 on a pinhole's axis
+    if (depth < kLeastDepth) return;
+    const double u = (cosine_ * ray.x() - sine_ * ray.z()) / depth;
+    const double v = ray.y() / depth - v0_;
+    const double residual = (w - q_.dot(ray)) / depth;
+    const double weight = depth * depth / variance;
+    const double terms[] = {1.0, u, v, u * u, u * v, v * v};
+    for (int i = 0, k = 0; i < 6; ++i) {
+      const double weighted = weight * terms[i];
+      for (int j = 0; j <= i; ++j) products_[k++] += weighted * terms[j];
+      right_side_[i] += weighted * residual;
+    }
+    rss_ += weight * residual * residual;
+  }
+
+  Bending bending() const {
+    Eigen::Matrix<double, 6, 6> normal_matrix;
+    for (int i = 0, k = 0; i < 6; ++i)
+      for (int j = 0; j <= i; ++j) normal_matrix(i, j) = normal_matrix(j, i) = products_[k++];
+    const Terms c = normal_matrix.ldlt().solve(right_side_);
+    const double pixels_per_sample = stride_ * stride_;
+    Bending result;
+    result.rss = pixels_per_sample * rss_;
+    result.gain = std::min(result.rss, pixels_per_sample * c.dot(right_side_));
+    // The surface is F = z' w(x'/z', y'/z') - 1 = 0 with gradient `normal` and, at (0, v0), second derivatives
+    // J^T H J / z', J = d(u, v) z' / d(x', y', z'). Its second fundamental form is their restriction to the tangents.
+    Eigen::Matrix2d hessian;
+    hessian << 2.0 * c[3], c[4], c[4], 2.0 * c[5];
+    Eigen::Matrix<double, 2, 3> j;
+    j << 1.0, 0.0, 0.0, 0.0, 1.0, -v0_;
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents.col(0) = normal_.unitOrthogonal();
+    tangents.col(1) = normal_.normalized().cross(tangents.col(0));
+    const Eigen::Matrix2d along_tangents = tangents.transpose() * j.transpose() * hessian * j * tangents;
+    const double inverse_depth = normal_.y() * v0_ + normal_.z();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(along_tangents, Eigen::EigenvaluesOnly);
+    result.curvature = principal.eigenvalues().cwiseAbs().maxCoeff() * inverse_depth / normal_.norm();
+    return result;
+  }
+
+ private:
+  double sine_ = 0.0, cosine_ = 1.0, v0_ = 0.0, rss_ = 0.0;
+  Eigen::Vector3d q_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  // q in the turned camera: the plane's normal / distance
+  int stride_ = 1;
+  double products_[21] = {};  // lower triangle of the sum of terms terms^T
+  Terms right_side_ = Terms::Zero();
+};
+
+}  // namespace
+
+std::vector<Bending> measureBending(const InverseDepthImage& image, const RegionMap& map,
+                                    const std::vector<std::uint8_t>& wanted) {
+  std::vector<std::int32_t> view_of(map.regions.size() + 1, -1);
+  std::vector<RegionView> views;
+  for (std::size_t k = 0; k < map.regions.size(); ++k)
+    if (wanted[k] != 0) {
+      view_of[k + 1] = static_cast<std::int32_t>(views.size());
+      views.emplace_back(map.regions[k]);
+    }
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column) {
+      const std::size_t pixel = static_cast<std::size_t>(row) * image.width + column;
+      const std::int32_t view = view_of[static_cast<std::size_t>(map.labels[pixel])];
+      if (view < 0) continue;
+      const int stride = views[static_cast<std::size_t>(view)].stride();
+      if (row % stride != 0 || column % stride != 0) continue;
+      const double w = static_cast<double>(image.w[pixel]);
+      views[static_cast<std::size_t>(view)].add(image.ray(row, column), w, image.variance(w, row));
+    }
+  std::vector<Bending> result(map.regions.size());
+  for (std::size_t k = 0; k < map.regions.size(); ++k)
+    if (view_of[k + 1] >= 0) result[k] = views[static_cast<std::size_t>(view_of[k + 1])].bending();
+  return result;
+}
+
+}  // namespace epcc
