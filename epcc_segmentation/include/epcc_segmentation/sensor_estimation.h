@@ -29,12 +29,13 @@ struct SensorEstimate {
   SensorModel model() const { return SensorModel::axial(a, b, correlation_length); }
 };
 
-/// Fits planes to small blocks of the frame and reads the error off their residuals: its size by depth and its
-/// autocorrelation. Clutter only enlarges residuals, so low quantiles are used. A few milliseconds at 640x480.
+/// Fits planes to small blocks of the frame and reads the error off their residuals: its size by depth, corrected for
+/// what the fits absorb of it, and the radius of its blotches. Clutter only enlarges residuals, so low quantiles are
+/// used. A few milliseconds at 640x480.
 SensorEstimate estimateSensor(const DepthFrame& frame);
 
-/// The same over a stream of one sensor: the median of a and b and the majority class of the last frames, so that the
-/// model settles and does not flicker.
+/// The same over a stream of one sensor: the median of a and b, the majority class and its median length over the last
+/// frames, so that the model settles and does not flicker.
 class SensorEstimator {
  public:
   /// Frames that are remembered. At least 1.

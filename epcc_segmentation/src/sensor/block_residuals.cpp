@@ -5,6 +5,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "sensor/quantile.h"
 
 namespace epcc {
 
@@ -14,6 +17,7 @@ constexpr double kFewestValid = 0.8;
 constexpr double kFewestInliers = 0.75;
 constexpr int kPasses = 4;
 constexpr double kGate = 3.2;       // in 68 % quantiles of the residual
+constexpr double kRounding = 1e-6;  // relative, of single precision
 constexpr double kSteepest = 25.0;  // tan^2 of the angle between ray and normal
 
 struct Sample {
@@ -44,12 +48,6 @@ std::optional<Eigen::Vector3d> fit(const std::vector<Sample>& samples, const Eig
   return Eigen::Vector3d(inverse * b);
 }
 
-double quantile(std::vector<double>& values, double share) {
-  const auto at = values.begin() + static_cast<long>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 double nextGate(const std::vector<Sample>& samples, const Eigen::Vector3d& plane) {
   std::vector<double> errors;
   errors.reserve(samples.size());
@@ -78,6 +76,17 @@ std::array<double, kLags.size()> autocorrelation(const std::vector<double>& e, i
   return result;
 }
 
+/// Smallest gap between sorted values that is more than rounding: the step of quantised values, next to nothing for
+/// others; 0 if all are equal.
+double smallestGap(const std::vector<double>& sorted) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const double gap = sorted[i] - sorted[i - 1];
+    if (gap > kRounding * sorted[i]) smallest = std::min(smallest, gap);
+  }
+  return std::isfinite(smallest) ? smallest : 0.0;
+}
+
 /// Change of the ray coordinates per pixel at the block.
 double pitch(const std::vector<double>& coordinate, int first, int size) {
   const auto i = static_cast<std::size_t>(first);
@@ -101,7 +110,8 @@ std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int r
     }
   if (static_cast<double>(all.size()) < kFewestValid * size * size || quarter.size() < 6) return std::nullopt;
 
-  Eigen::Vector3d plane(0.0, 0.0, quantile(values, 0.5));
+  std::sort(values.begin(), values.end());
+  Eigen::Vector3d plane(0.0, 0.0, values[(values.size() - 1) / 2]);
   double gate = 0.25 * plane.z();
   for (int pass = 0; pass < kPasses; ++pass) {
     const auto next = fit(quarter, plane, gate);
@@ -135,6 +145,7 @@ std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int r
   BlockResiduals block;
   block.depth = 1.0 / (mean_w * measured_scale);
   block.r = std::sqrt(squares / (n - 3.0)) * measured_scale * block.depth * block.depth / std::sqrt(1.0 + tan2);
+  block.step = smallestGap(values) * measured_scale * block.depth * block.depth;
   block.correlation = autocorrelation(e, size, squares / n);
   return block;
 }

@@ -16,6 +16,7 @@ constexpr std::array<int, 4> kLags = {1, 2, 4, 8};
 struct BlockResiduals {
   double depth = 0.0;  ///< measured depth at the block, metres
   double r = 0.0;      ///< residual standard deviation across the surface, metres
+  double step = 0.0;   ///< smallest difference of two depths, metres: the step of a quantised depth
   std::array<double, kLags.size()> correlation{};
 };
 

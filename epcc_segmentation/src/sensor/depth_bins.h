@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The flat blocks of a frame, sorted by depth.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "inverse_depth/inverse_depth_image.h"
+#include "sensor/block_residuals.h"
+
+namespace epcc {
+
+struct PlacedBlock {
+  int row, column;
+  BlockResiduals residuals;
+};
+
+struct DepthBin {
+  double depth = 0.0;   ///< geometric mean, metres
+  double r = 0.0;       ///< low quantile of the blocks' residuals, metres: clutter only enlarges them
+  double step = 0.0;    ///< median of the blocks' depth steps, metres
+  double weight = 0.0;  ///< number of blocks
+  std::vector<PlacedBlock> blocks;
+};
+
+/// At most 120 blocks, evenly spread; three bins per octave, those with fewer than four blocks left out.
+std::vector<DepthBin> measureDepthBins(const InverseDepthImage& image, int block_size);
+
+/// Autocorrelation of the flat blocks' residuals: the median in each bin, then the mean by their number of blocks.
+/// Bins full of clutter are left out. Not for an empty list.
+std::array<double, kLags.size()> correlationOf(const std::vector<DepthBin>& bins);
+
+/// Half-size blocks fit between the clutter: lowers r to little more than they show. Only for errors that are short
+/// in them too.
+void guardAgainstClutter(const InverseDepthImage& image, int block_size, std::vector<DepthBin>& bins);
+
+}  // namespace epcc

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Residual covariance (I - H) R (I - H); everything separates into rows and columns.
+#include "sensor/fitted_blotches.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace epcc {
+
+namespace {
+
+constexpr double kShortest = 1.0;
+constexpr double kLongestOfBlock = 1.0 / 3.0;  // beyond, all lengths look alike to the block
+constexpr double kLengthStep = 1.1;
+
+/// A basis function of the plane along one axis, orthonormal: the constant or the tilt.
+struct Axis {
+  Eigen::VectorXd h;
+  Eigen::VectorXd covered;  // C h
+  double variance;          // h' C h
+
+  Axis(const Eigen::MatrixXd& c, const Eigen::VectorXd& function)
+      : h(function.normalized()), covered(c * h), variance(h.dot(covered)) {}
+
+  /// Mean of h(x) h(x + lag) over the pairs in the block.
+  double meanProduct(int lag) const { return mean(h, h, lag); }
+  /// Mean of h(x) (C h)(x + lag) and of the same with the pair exchanged, summed.
+  double meanCovered(int lag) const { return mean(h, covered, lag) + mean(covered, h, lag); }
+
+ private:
+  static double mean(const Eigen::VectorXd& a, const Eigen::VectorXd& b, int lag) {
+    const auto pairs = a.size() - lag;
+    return a.head(pairs).dot(b.tail(pairs)) / static_cast<double>(pairs);
+  }
+};
+
+/// Mean covariance that the basis function along (x) across takes from pairs `lag` apart in x.
+double absorbed(const Axis& x, const Axis& y, int lag) {
+  const double rows = y.meanProduct(0);
+  // One factor (C h)(y) h(y) stands for both orders of the pair: in y they coincide.
+  return y.meanCovered(0) / 2.0 * x.meanCovered(lag) - rows * x.meanProduct(lag) * x.variance * y.variance;
+}
+
+}  // namespace
+
+FittedBlotches fittedBlotches(double length, int size) {
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size, -0.5, 0.5) * (size - 1);
+  const auto correlation = [length](double distance) {
+    return std::exp(-distance * distance / (2.0 * length * length));
+  };
+  Eigen::MatrixXd c(size, size);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) c(i, j) = i > j ? c(j, i) : correlation(j - i);
+  const Axis constant(c, Eigen::VectorXd::Ones(size));
+  const Axis tilt(c, x);
+  const auto left = [&](int lag) {
+    return correlation(lag) - absorbed(constant, constant, lag) - absorbed(tilt, constant, lag) -
+           absorbed(constant, tilt, lag);
+  };
+  FittedBlotches result;
+  result.kept = left(0);
+  for (std::size_t k = 0; k < kLags.size(); ++k)
+    result.correlation[k] = kLags[k] < size ? left(kLags[k]) / result.kept : 0.0;
+  return result;
+}
+
+double Blotches::errorOverResidual() const {
+  return std::sqrt(1.0 - share + share / fittedBlotches(length, block_size).kept);
+}
+
+// Lag 1 is left out: resampling to another grid correlates direct neighbours whatever the sensor does.
+Blotches fitBlotches(const std::array<double, kLags.size()>& correlation, int block_size) {
+  Blotches best;
+  best.block_size = block_size;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (double length = kShortest; length <= kLongestOfBlock * block_size; length *= kLengthStep) {
+    const auto expected = fittedBlotches(length, block_size).correlation;
+    double product = 0.0;
+    double square = 0.0;
+    for (std::size_t k = 1; k < kLags.size(); ++k) {
+      product += expected[k] * correlation[k];
+      square += expected[k] * expected[k];
+    }
+    const double share = std::clamp(product / square, 0.0, 1.0);
+    const double loss = share * (share * square - 2.0 * product);
+    if (loss >= smallest) continue;
+    smallest = loss;
+    best.length = length;
+    best.share = share;
+  }
+  return best;
+}
+
+}  // namespace epcc

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Order statistics of a few numbers.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace epcc {
+
+/// The value below which `share` of the values lie; not for an empty list. Reorders its copy.
+inline double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + static_cast<long>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace epcc

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The model of a stream: medians and a majority over its last frames.
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "epcc_segmentation/sensor_estimation.h"
+#include "sensor/quantile.h"
+
+namespace epcc {
+
+SensorEstimator::SensorEstimator(std::size_t memory) : memory_(std::max<std::size_t>(memory, 1)) {}
+
+void SensorEstimator::reset() {
+  estimates_.clear();
+  next_ = 0;
+}
+
+SensorEstimate SensorEstimator::update(const DepthFrame& frame) {
+  if (frame.width() != width_ || frame.height() != height_) reset();
+  width_ = frame.width();
+  height_ = frame.height();
+  const SensorEstimate latest = estimateSensor(frame);
+  if (latest.blocks > 0) {
+    if (estimates_.size() < memory_)
+      estimates_.push_back(latest);
+    else
+      estimates_[next_++ % memory_] = latest;
+  }
+  if (estimates_.empty()) return latest;
+
+  std::array<int, 3> votes{};
+  std::vector<double> a, b;
+  SensorEstimate stream = latest;
+  stream.blocks = 0;
+  for (const auto& estimate : estimates_) {
+    ++votes[static_cast<std::size_t>(estimate.noise_class)];
+    a.push_back(estimate.a);
+    b.push_back(estimate.b);
+    stream.blocks += estimate.blocks;
+  }
+  stream.noise_class = static_cast<NoiseClass>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+  std::vector<double> lengths;
+  for (const auto& estimate : estimates_)
+    if (estimate.noise_class == stream.noise_class) lengths.push_back(estimate.correlation_length);
+  stream.correlation_length = quantile(lengths, 0.5);
+  stream.a = quantile(a, 0.5);
+  stream.b = quantile(b, 0.5);
+  return stream;
+}
+
+}  // namespace epcc
