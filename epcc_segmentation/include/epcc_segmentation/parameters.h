@@ -114,7 +114,7 @@ struct MergingParameters {
   double min_samples = 3.0;
   /// Regions on both sides of something nearer are neighbours, in S8, if it takes up no more of a row or column than
   /// this times what is seen of the two; 0 keeps them apart. [0, 100]
-  double max_occluder = 0.5;
+  double max_occluder = 0.4;
   std::string validate() const;
 };
 
