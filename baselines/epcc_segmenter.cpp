@@ -2,6 +2,8 @@
 // Hands the frame to the extractor.
 #include "baselines/epcc_segmenter.h"
 
+#include "epcc_segmentation/sensor_estimation.h"
+
 namespace epcc {
 
 namespace {
@@ -14,7 +16,8 @@ bool sameModel(const SensorModel& a, const SensorModel& b) {
 }  // namespace
 
 bool EpccSegmenter::run(const SegmenterInput& input, PlaneSegmentation& result) {
-  if (!extractor_ || !sameModel(extractor_->sensor(), input.sensor)) extractor_.emplace(parameters_, input.sensor);
+  const SensorModel sensor = sensor_ == SensorChoice::Measured ? estimateSensor(input.frame).model() : input.sensor;
+  if (!extractor_ || !sameModel(extractor_->sensor(), sensor)) extractor_.emplace(parameters_, sensor);
   return extractor_->extract(input.frame, result) || fail(extractor_->error());
 }
 

@@ -36,6 +36,11 @@ void checkSizeToWrite(const std::string& path, const Image<T>& image, const Pinh
 
 }  // namespace
 
+DepthFrame frameView(const LabelledFrame& frame) {
+  if (frame.scan.empty()) return DepthFrame::fromDepth(frame.depth.data.data(), frame.camera.camera);
+  return DepthFrame::fromPoints(frame.scan.data(), 3, frame.depth.width, frame.depth.height, Projection::Spherical);
+}
+
 std::vector<std::string> listLabelledFrames(const std::string& folder) {
   std::error_code code;
   fs::directory_iterator entries(folder, code);

@@ -16,7 +16,12 @@ struct LabelledFrame {
   CameraFile camera;
   DepthImage depth;
   LabelImage labels;
+  /// x, y, z of every pixel of a spherical scan, whose ranges `depth` holds; empty for a camera's frame.
+  std::vector<float> scan;
 };
+
+/// What a segmenter is given; the frame must outlive it.
+DepthFrame frameView(const LabelledFrame& frame);
 
 /// Names of the frames of a folder, sorted; InputError if it cannot be listed.
 std::vector<std::string> listLabelledFrames(const std::string& folder);

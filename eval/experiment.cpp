@@ -98,7 +98,7 @@ FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& method
   try {
     result.frame = readScorable(job);
     result.segmentations.resize(methods.size());
-    const DepthFrame view = DepthFrame::fromDepth(result.frame.depth.data.data(), result.frame.camera.camera);
+    const DepthFrame view = frameView(result.frame);
     const SensorModel sensor =
         frameSensor(options.noise, result.frame.camera.noise, view, result.frame.name + ".json").model;
     for (std::size_t m = 0; m < methods.size(); ++m)

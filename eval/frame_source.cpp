@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists and reads folders of native frames.
+// Lists and reads folders of native frames and of SynPEB scans.
 #include "eval/frame_source.h"
 
 #include <filesystem>
 
 #include "datasets/input_error.h"
+#include "datasets/synpeb.h"
 
 namespace epcc {
 
@@ -25,6 +26,15 @@ NativeFolder::NativeFolder(const std::string& folder)
 
 LabelledFrame NativeFolder::read(std::size_t index) const {
   return readLabelledFrame(folder_, names_.at(index));
+}
+
+SynpebFolder::SynpebFolder(const std::string& folder)
+    : folder_(folder), dataset_(folderName(folder)), names_(listSynpebScans(folder)) {
+  if (names_.empty()) throw InputError(folder, "folder", "has no scan NAME.pcd");
+}
+
+LabelledFrame SynpebFolder::read(std::size_t index) const {
+  return readSynpebScan(folder_, names_.at(index));
 }
 
 }  // namespace epcc

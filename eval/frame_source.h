@@ -38,6 +38,22 @@ class NativeFolder : public FrameSource {
   std::vector<std::string> names_;
 };
 
+/// A folder of SynPEB scans, in the order of their names.
+class SynpebFolder : public FrameSource {
+ public:
+  /// Throws InputError for a folder that cannot be listed or has no scan.
+  explicit SynpebFolder(const std::string& folder);
+  const std::string& dataset() const override { return dataset_; }
+  std::size_t size() const override { return names_.size(); }
+  std::string name(std::size_t index) const override { return names_.at(index); }
+  LabelledFrame read(std::size_t index) const override;
+
+ private:
+  std::string folder_;
+  std::string dataset_;
+  std::vector<std::string> names_;
+};
+
 /// The last part of a folder's path, also for "frames/", "." and "..".
 std::string folderName(const std::string& folder);
 

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens the sources, runs the methods over them, sorts the records.
+#include "eval/accuracy.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "baselines/epcc_segmenter.h"
+#include "datasets/input_error.h"
+#include "datasets/scene.h"
+#include "eval/evaluation_files.h"
+#include "eval/evaluation_report.h"
+#include "eval/frame_copies.h"
+#include "eval/rendered_scenes.h"
+
+namespace epcc {
+
+namespace {
+
+using Sources = std::vector<std::unique_ptr<FrameSource>>;
+
+const char kScans[] = "synpeb";
+
+Method accuracyMethod(const std::string& name) {
+  if (name != kAutoMethod) return registeredMethod(name);
+  const Parameters parameters = defaultParameters().epcc;
+  return {name, [parameters] { return std::make_unique<EpccSegmenter>(parameters, SensorChoice::Measured); }, true};
+}
+
+std::vector<Method> methodsOf(const std::vector<std::string>& names) {
+  std::vector<Method> methods;
+  for (const std::string& name : names) methods.push_back(accuracyMethod(name));
+  return methods;
+}
+
+/// The methods that have their pictures taken, and the others.
+std::vector<std::string> epccMethods() {
+  return {"epcc", kAutoMethod, "epcc-paper"};
+}
+std::vector<std::string> otherMethods() {
+  return {"region-growing", "ransac", "omps"};
+}
+
+Sources openDatasets(const std::string& folder, std::vector<std::string>& problems) {
+  Sources sources;
+  for (const std::string& name : accuracyDatasets()) {
+    const std::string path = (std::filesystem::path(folder) / name).string();
+    try {
+      if (name == kScans)
+        sources.push_back(std::make_unique<SynpebFolder>(path));
+      else
+        sources.push_back(std::make_unique<NativeFolder>(path));
+    } catch (const InputError& error) {
+      problems.emplace_back(error.what());
+    }
+  }
+  return sources;
+}
+
+Sources copiesOf(const Sources& originals) {
+  Sources copies;
+  for (const auto& original : originals)
+    for (const FrameCopy copy : frameCopies())
+      if (original->dataset() != kScans) copies.push_back(std::make_unique<CopiedFrames>(*original, copy));
+  return copies;
+}
+
+Sources sceneSources(int seeds) {
+  Sources sources;
+  for (const std::string& noise : accuracyNoises())
+    for (const std::string& scene : sceneNames())
+      sources.push_back(std::make_unique<RenderedFrames>(sceneDataset(scene, noise), 0, seeds,
+                                                         sceneWithNoise(scene, parseNoise(noise).value())));
+  return sources;
+}
+
+/// One experiment after the other, with one progress over all of them.
+class AccuracyRun {
+ public:
+  AccuracyRun(const AccuracyOptions& options, const AccuracyProgress& progress)
+      : options_(options), progress_(progress) {
+    result_.rows = emptyFramesTable();
+    originals_ = openDatasets(options.data, result_.problems);
+    copies_ = copiesOf(originals_);
+    scenes_ = sceneSources(options.seeds);
+    const std::size_t pictured = listJobs(originals_).size() + listJobs(scenes_).size();
+    total_ = 2 * pictured + listJobs(copies_).size();
+  }
+
+  AccuracyResult run() {
+    const auto picture = [this](const FrameResult& frame) { writeOverlays(options_.out, frame); };
+    const auto original = [this](const FrameRecord& record) { takeOriginal(record); };
+    experiment(originals_, epccMethods(), picture, original);
+    experiment(originals_, otherMethods(), {}, original);
+    experiment(copies_, {"epcc", kAutoMethod}, {}, {});
+    experiment(scenes_, epccMethods(), picture, {});
+    experiment(scenes_, otherMethods(), {}, {});
+    return std::move(result_);
+  }
+
+ private:
+  using Take = std::function<void(const FrameRecord&)>;
+
+  void experiment(const Sources& sources, const std::vector<std::string>& methods, const FrameDone& done,
+                  const Take& take) {
+    const auto in_order = [&](const std::vector<FrameRecord>& records) {
+      for (const FrameRecord& record : records) {
+        result_.all.add(record);
+        addFrameRow(record, result_.rows);
+        if (take) take(record);
+        if (!record.error.empty())
+          result_.problems.push_back(record.dataset + "/" + record.frame + ": " + record.method + ": " + record.error);
+      }
+      if (progress_) progress_(++done_, total_);
+    };
+    runExperiment(listJobs(sources), methodsOf(methods), {{}, options_.jobs}, done, in_order);
+  }
+
+  void takeOriginal(const FrameRecord& record) {
+    std::size_t& position = position_[{record.dataset, record.method}];
+    result_.halves[position++ % 2].add(record);
+    if (record.method == "epcc" || record.method == kAutoMethod) result_.frames.push_back(record);
+  }
+
+  const AccuracyOptions& options_;
+  const AccuracyProgress& progress_;
+  Sources originals_, copies_, scenes_;
+  AccuracyResult result_;
+  std::map<std::pair<std::string, std::string>, std::size_t> position_;
+  std::size_t done_ = 0;
+  std::size_t total_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> accuracyDatasets() {
+  return {"realsense", "kinect", "abw", "icl", "structure", kScans};
+}
+
+std::vector<std::string> accuracyNoises() {
+  return {"white:d435i", "stereo"};
+}
+
+std::string sceneDataset(const std::string& scene, const std::string& noise) {
+  return scene + "-" + noise.substr(0, noise.find(':'));
+}
+
+std::vector<std::string> accuracyMethods() {
+  std::vector<std::string> methods = epccMethods();
+  for (const std::string& name : otherMethods()) methods.push_back(name);
+  return methods;
+}
+
+AccuracyResult runAccuracy(const AccuracyOptions& options, const AccuracyProgress& progress) {
+  return AccuracyRun(options, progress).run();
+}
+
+}  // namespace epcc

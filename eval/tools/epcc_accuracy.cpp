@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// epcc_accuracy: the numbers and pictures of docs/accuracy.md.
+#include <iostream>
+
+#include "eval/accuracy_command.h"
+
+int main(int argc, char** argv) {
+  return epcc::accuracyMain(argc, argv, std::cout, std::cerr);
+}
