@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Renews the tables and pictures of docs/accuracy.md: accuracy.sh [--data DIR] [...]; about a minute and a half.
+# Options go to epcc_accuracy. Overlays of every frame and frames.csv are left in results/accuracy/.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+log=build/accuracy.log
+out=results/accuracy
+mkdir -p build
+scripts/install_packages.sh
+echo "Building (a few minutes the first time)" >&2
+if ! { cmake --preset release && cmake --build --preset release --target epcc_accuracy; } >"$log" 2>&1; then
+  tail -n 30 "$log" >&2
+  echo "accuracy.sh: the build failed, see $log" >&2
+  exit 1
+fi
+build/release/bin/epcc_accuracy --out "$out" --page docs/accuracy.md "$@"
+
+# Only rendered scenes may be shown: the real frames are other people's.
+cp "$out/overlays/b-stereo_0.png" docs/images/accuracy_best.png
+cp "$out/overlays/d-stereo_0.png" docs/images/accuracy_worst.png
