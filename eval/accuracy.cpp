@@ -2,6 +2,7 @@
 // Opens the sources, runs the methods over them, sorts the records.
 #include "eval/accuracy.h"
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "eval/evaluation_report.h"
 #include "eval/frame_copies.h"
 #include "eval/rendered_scenes.h"
+#include "eval/step_frames.h"
 
 namespace epcc {
 
@@ -75,6 +77,16 @@ Sources sceneSources(int seeds) {
   return sources;
 }
 
+Sources stepSources(int seeds) {
+  Sources sources;
+  for (const AccuracyStep& step : accuracySteps()) {
+    const StepSensor sensor = step.sensor == "realsense" ? realsenseSensor() : kinectSensor();
+    const StepScene scene = step.scene == "door" ? doorScene(step.metres) : pictureFrameScene(step.metres);
+    sources.push_back(std::make_unique<RenderedFrames>(stepDataset(step), 0, seeds, stepWithNoise(scene, sensor)));
+  }
+  return sources;
+}
+
 /// One experiment after the other, with one progress over all of them.
 class AccuracyRun {
  public:
@@ -84,8 +96,9 @@ class AccuracyRun {
     originals_ = openDatasets(options.data, result_.problems);
     copies_ = copiesOf(originals_);
     scenes_ = sceneSources(options.seeds);
+    steps_ = stepSources(options.step_seeds);
     const std::size_t pictured = listJobs(originals_).size() + listJobs(scenes_).size();
-    total_ = 2 * pictured + listJobs(copies_).size();
+    total_ = 2 * pictured + listJobs(copies_).size() + listJobs(steps_).size();
   }
 
   AccuracyResult run() {
@@ -96,6 +109,8 @@ class AccuracyRun {
     experiment(copies_, {"epcc", kAutoMethod}, {}, {});
     experiment(scenes_, epccMethods(), picture, {});
     experiment(scenes_, otherMethods(), {}, {});
+    experiment(steps_, {"epcc", kAutoMethod}, {},
+               [this](const FrameRecord& record) { result_.steps.push_back(record); });
     return std::move(result_);
   }
 
@@ -125,7 +140,7 @@ class AccuracyRun {
 
   const AccuracyOptions& options_;
   const AccuracyProgress& progress_;
-  Sources originals_, copies_, scenes_;
+  Sources originals_, copies_, scenes_, steps_;
   AccuracyResult result_;
   std::map<std::pair<std::string, std::string>, std::size_t> position_;
   std::size_t done_ = 0;
@@ -140,6 +155,19 @@ std::vector<std::string> accuracyDatasets() {
 
 std::vector<std::string> accuracyNoises() {
   return {"white:d435i", "stereo"};
+}
+
+std::vector<AccuracyStep> accuracySteps() {
+  std::vector<AccuracyStep> steps;
+  for (const char* sensor : {"kinect-v1", "realsense"})
+    for (const double metres : {0.05, 0.10, 0.15, 0.20}) steps.push_back({"door", sensor, metres});
+  for (const char* sensor : {"kinect-v1", "realsense"})
+    for (const double metres : {0.01, 0.02, 0.03}) steps.push_back({"frame", sensor, metres});
+  return steps;
+}
+
+std::string stepDataset(const AccuracyStep& step) {
+  return step.scene + "-" + step.sensor + "-" + std::to_string(std::lround(1e3 * step.metres));
 }
 
 std::string sceneDataset(const std::string& scene, const std::string& noise) {

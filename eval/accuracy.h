@@ -16,28 +16,41 @@ namespace epcc {
 constexpr const char* kAutoMethod = "epcc-auto";
 
 struct AccuracyOptions {
-  std::string data;  ///< folder of the data sets
-  std::string out;   ///< folder for the pictures
-  int seeds = 2;     ///< of each rendered scene and noise, from seed 0
-  int jobs = 1;      ///< frames at a time
+  std::string data;    ///< folder of the data sets
+  std::string out;     ///< folder for the pictures
+  int seeds = 2;       ///< of each rendered scene and noise, from seed 0
+  int step_seeds = 5;  ///< of each step in depth
+  int jobs = 1;        ///< frames at a time
 };
 
 /// Data sets that the page is made of, folders of AccuracyOptions::data; "synpeb" holds spherical scans.
 std::vector<std::string> accuracyDatasets();
 /// Noise laid on the rendered scenes, as parseNoise() takes it.
 std::vector<std::string> accuracyNoises();
+/// A step in depth seen by a sensor; see eval/step_frames.h.
+struct AccuracyStep {
+  std::string scene;   ///< door, frame
+  std::string sensor;  ///< preset
+  double metres;
+};
+std::vector<AccuracyStep> accuracySteps();
+/// Name of the data set of a step, for example "door-realsense-100": millimetres.
+std::string stepDataset(const AccuracyStep& step);
 /// Name of the data set of a scene with a noise, for example "a-stereo".
 std::string sceneDataset(const std::string& scene, const std::string& noise);
 /// epcc, epcc-auto and the rest of segmenterNames().
 std::vector<std::string> accuracyMethods();
 
 struct AccuracyResult {
-  /// Every run, by data set and method; copies are called DATASET-COPY, scenes as sceneDataset() says.
+  /// Every run, by data set and method; copies are called DATASET-COPY, scenes and steps as the
+  /// functions above say.
   ExperimentSummary all;
   /// The data sets' frames 0, 2, 4 ... and 1, 3, 5 ... in the order of their names.
   std::array<ExperimentSummary, 2> halves;
   /// The data sets' frames with the default mode, given and measured sensor one after the other.
   std::vector<FrameRecord> frames;
+  /// The steps' frames with the same two.
+  std::vector<FrameRecord> steps;
   /// Every record as in epcc_eval's frames.csv.
   Table rows;
   /// Data sets that are missing, frames that could not be scored.

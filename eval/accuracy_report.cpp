@@ -119,6 +119,27 @@ Table scenesTable(const ExperimentSummary& all) {
   return table;
 }
 
+/// "4 of 5": frames on which wall and second plane are both correct.
+std::string separateFrames(const std::vector<FrameRecord>& records, const std::string& dataset,
+                           const std::string& method) {
+  long frames = 0, separate = 0;
+  for (const FrameRecord& record : records) {
+    if (record.dataset != dataset || record.method != method) continue;
+    ++frames;
+    separate += record.measures.segcomp.correct == 2 ? 1 : 0;
+  }
+  return count(separate) + " of " + count(frames);
+}
+
+Table stepsTable(const std::vector<FrameRecord>& records) {
+  Table table = tableOf({"what", "sensor"}, {"step cm", "epcc", kAutoMethod});
+  for (const AccuracyStep& step : accuracySteps())
+    table.rows.push_back({step.scene, step.sensor, numberCell(100.0 * step.metres, 0),
+                          separateFrames(records, stepDataset(step), "epcc"),
+                          separateFrames(records, stepDataset(step), kAutoMethod)});
+  return table;
+}
+
 Table framesTable(const std::vector<FrameRecord>& records) {
   Table table = tableOf({"data", "frame"}, {"N", "correct", "over", "under", "missed", "noise"});
   for (const char* title : {"auto correct", "auto noise"}) table.columns.push_back({title, true});
@@ -138,11 +159,9 @@ Table framesTable(const std::vector<FrameRecord>& records) {
 }  // namespace
 
 std::vector<NamedTable> accuracyTables(const AccuracyResult& result) {
-  return {{"totals", totalsTable(result.all)},
-          {"halves", halvesTable(result)},
-          {"copies", copiesTable(result.all)},
-          {"scenes", scenesTable(result.all)},
-          {"frames", framesTable(result.frames)}};
+  return {{"totals", totalsTable(result.all)}, {"halves", halvesTable(result)},
+          {"copies", copiesTable(result.all)}, {"scenes", scenesTable(result.all)},
+          {"steps", stepsTable(result.steps)}, {"frames", framesTable(result.frames)}};
 }
 
 std::string pageWithTables(const std::string& page, const std::vector<NamedTable>& tables, const std::string& file) {
