@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "baselines/baseline_frames.h"
+#include "baselines/epcc_segmenter.h"
+
 namespace epcc::test {
 namespace {
 
@@ -30,6 +33,17 @@ TEST(Registry, EpccRunsInTheModeOfItsName) {
     EXPECT_EQ(options.ransac.validate(), "");
     EXPECT_EQ(options.organized_multi_plane.validate(), "");
   }
+}
+
+TEST(EpccSegmenter, ThatMeasuresTheSensorHeedsNoGivenOne) {
+  const RenderedRoom room = noisyRoom();
+  EpccSegmenter measuring(defaultParameters().epcc, SensorChoice::Measured);
+  EXPECT_EQ(measuring.name(), "epcc-auto");
+  PlaneSegmentation fine, coarse;
+  ASSERT_TRUE(measuring.segment({room.frame(), SensorModel::axial(0.0001, 0.0001), ""}, fine));
+  ASSERT_TRUE(measuring.segment({room.frame(), SensorModel::axial(0.5, 0.5, 20.0), ""}, coarse));
+  EXPECT_EQ(fine.planes.size(), 3U);
+  EXPECT_EQ(fine.labels, coarse.labels);
 }
 
 TEST(Registry, PaperParametersAreTable3) {
