@@ -1,66 +1,102 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // S1, sample by sample: accept, buffer, start anew, end at a gap.
+// Divisions are slow: the weights are computed ahead for a whole scan line, the tests are multiplied out.
 #include "inverse_depth/line_growing.h"
-
-#include <algorithm>
 
 namespace epcc {
 
 void LineGrowing::grow(const float* w, const double* x, const double* scale, int count, const InverseDepthNoise& noise,
                        std::int32_t first_id, std::vector<GrownLine>& lines, std::int32_t* segment_of) {
+  w_ = w;
+  x_ = x;
+  count_ = count;
   lines_ = &lines;
   segment_of_ = segment_of;
   has_active_ = false;
   buffer_.clear();
   active_id_ = first_id - 1;
-  std::fill(segment_of, segment_of + count, -1);
+  weigh(scale, noise);
   for (int i = 0; i < count; ++i) {
+    if (has_active_) i = extendActive(i);
+    if (i == count) break;
+    segment_of[i] = -1;
     if (!(w[i] > 0.0f)) continue;
-    const double value = static_cast<double>(w[i]);
-    double variance = noise.variance(value);
-    if (scale != nullptr) variance = noise.variance(value * scale[i]) / (scale[i] * scale[i]);
-    const Sample sample{i, x[i], value, variance};
-
-    if (!buffer_.empty() && i - buffer_.back().position > parameters_.max_gap_pixels + 1) buffer_.clear();
-    if (has_active_ && i - active_.last > parameters_.max_gap_pixels + 1) emit();
-    if (has_active_ && accepts(sample)) {
-      addToActive(sample);
-      buffer_.clear();
-      continue;
-    }
-    buffer_.push_back(sample);
-    if (static_cast<int>(buffer_.size()) > parameters_.min_samples) buffer_.erase(buffer_.begin());
+    pushOnBuffer(i);
     if (static_cast<int>(buffer_.size()) == parameters_.min_samples) startFromBuffer();
   }
   emit();
 }
 
-bool LineGrowing::accepts(const Sample& sample) const {
-  const double residual = sample.w - mean_w_ - slope_ * (sample.x - mean_x_);
-  return residual * residual <= parameters_.k_max * parameters_.k_max * sample.variance;
+void LineGrowing::weigh(const double* scale, const InverseDepthNoise& noise) {
+  const auto count = static_cast<std::size_t>(count_);
+  variance_.resize(count);
+  weight_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) variance_[i] = noise.variance(static_cast<double>(w_[i]));
+  if (scale != nullptr)
+    for (std::size_t i = 0; i < count; ++i)
+      variance_[i] = noise.variance(static_cast<double>(w_[i]) * scale[i]) / (scale[i] * scale[i]);
+  for (std::size_t i = 0; i < count; ++i) weight_[i] = 1.0 / variance_[i];
 }
 
-void LineGrowing::addToActive(const Sample& sample) {
-  active_.sums.add(sample.x, sample.w, sample.variance);
-  active_.last = sample.position;
-  segment_of_[sample.position] = active_id_;
-  mean_x_ = active_.sums.meanX();
-  mean_w_ = active_.sums.meanW();
-  slope_ = active_.sums.slope();
+void LineGrowing::add(int position, LineSums& sums) const {
+  sums.add(x_[position], static_cast<double>(w_[position]), variance_[position], weight_[position]);
+}
+
+// Adds the samples from `position` on to the active line until one is rejected or lies beyond a gap, which ends
+// the line. Returns that sample's position.
+int LineGrowing::extendActive(int position) {
+  const double k2 = parameters_.k_max * parameters_.k_max;
+  LineSums sums = active_.sums;
+  int last = active_.last;
+  int i = position;
+  bool ended = false;
+  for (; i < count_; ++i) {
+    if (!(w_[i] > 0.0f)) {
+      segment_of_[i] = -1;
+      continue;
+    }
+    ended = i - last > parameters_.max_gap_pixels + 1;
+    if (ended) break;
+    // |w - mean_w - slope (x - mean_x)| <= k_max sigma_w, times one * (one Sxx).
+    const double sxx = sums.scaledSxx();
+    const double residual = (static_cast<double>(w_[i]) * sums.one - sums.w) * sxx -
+                            (x_[i] * sums.one - sums.x) * sums.scaledSxw();
+    const double scale = sums.one * sxx;
+    if (!(residual * residual <= k2 * variance_[i] * (scale * scale))) break;
+    add(i, sums);
+    segment_of_[i] = active_id_;
+    last = i;
+  }
+  if (last != active_.last) buffer_.clear();
+  active_.sums = sums;
+  active_.last = last;
+  if (ended) emit();
+  return i;
+}
+
+void LineGrowing::pushOnBuffer(int position) {
+  if (!buffer_.empty() && position - buffer_.back() > parameters_.max_gap_pixels + 1) buffer_.clear();
+  if (static_cast<int>(buffer_.size()) == parameters_.min_samples) buffer_.erase(buffer_.begin());
+  buffer_.push_back(position);
 }
 
 // The last rejected samples start a line of their own if they lie on one.
 bool LineGrowing::startFromBuffer() {
   LineSums sums;
-  for (const Sample& sample : buffer_) sums.add(sample.x, sample.w, sample.variance);
-  if (!(sums.sxx() > 1e-12 * sums.one)) return false;  // one point over and over is no line
-  if (sums.rss() > (sums.n - 2.0) * parameters_.k_max * parameters_.k_max) return false;
+  for (const int position : buffer_) add(position, sums);
+  const double sxx = sums.scaledSxx();
+  const double sxw = sums.scaledSxw();
+  if (!(sxx > 1e-12 * sums.one * sums.one)) return false;  // one point over and over is no line
+  // RSS <= (n - 2) k_max^2, times one * (one Sxx).
+  const double limit = (sums.n - 2.0) * parameters_.k_max * parameters_.k_max;
+  if (sums.scaledSww() * sxx - sxw * sxw > limit * sums.one * sxx) return false;
   emit();
   has_active_ = true;
   ++active_id_;
-  active_ = GrownLine();
-  active_.first = buffer_.front().position;
-  for (const Sample& sample : buffer_) addToActive(sample);
+  active_.first = buffer_.front();
+  active_.last = buffer_.back();
+  active_.sums = sums;
+  for (const int position : buffer_) segment_of_[position] = active_id_;
   buffer_.clear();
   return true;
 }

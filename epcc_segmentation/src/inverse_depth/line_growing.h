@@ -19,8 +19,8 @@ struct LineSums {
   double w_plain = 0.0;   ///< sum of w
   double one = 0.0, x = 0.0, xx = 0.0, w = 0.0, xw = 0.0, ww = 0.0;
 
-  void add(double sample_x, double sample_w, double sigma2) {
-    const double weight = 1.0 / sigma2;
+  void add(double sample_x, double sample_w, double sigma2) { add(sample_x, sample_w, sigma2, 1.0 / sigma2); }
+  void add(double sample_x, double sample_w, double sigma2, double weight) {
     n += 1.0;
     variance += sigma2;
     w_plain += sample_w;
@@ -31,6 +31,10 @@ struct LineSums {
     xw += weight * sample_x * sample_w;
     ww += weight * sample_w * sample_w;
   }
+  /// Sxx, Sxw and Sww times `one`: their ratios are those of the spreads, without a division.
+  double scaledSxx() const { return one * xx - x * x; }
+  double scaledSxw() const { return one * xw - x * w; }
+  double scaledSww() const { return one * ww - w * w; }
   double meanX() const { return x / one; }
   double meanW() const { return w / one; }
   double meanVariance() const { return variance / n; }
@@ -68,21 +72,25 @@ class LineGrowing {
             std::int32_t first_id, std::vector<GrownLine>& lines, std::int32_t* segment_of);
 
  private:
-  struct Sample {
-    int position;
-    double x, w, variance;
-  };
-  bool accepts(const Sample& sample) const;
-  void addToActive(const Sample& sample);
+  void weigh(const double* scale, const InverseDepthNoise& noise);
+  int extendActive(int position);
+  void pushOnBuffer(int position);
   bool startFromBuffer();
   void emit();
+  void add(int position, LineSums& sums) const;
 
   LineGrowingParameters parameters_;
-  std::vector<Sample> buffer_;
+  // The scan line: samples, their variances and weights 1/sigma_w^2.
+  int count_ = 0;
+  const float* w_ = nullptr;
+  const double* x_ = nullptr;
+  std::vector<double> variance_, weight_;
+  // The state of Algorithm 1: the active line and the positions of the last rejected samples.
   bool has_active_ = false;
   GrownLine active_;
-  double mean_x_ = 0.0, mean_w_ = 0.0, slope_ = 0.0;
   std::int32_t active_id_ = 0;
+  std::vector<int> buffer_;
+  // The results.
   std::vector<GrownLine>* lines_ = nullptr;
   std::int32_t* segment_of_ = nullptr;
 };
