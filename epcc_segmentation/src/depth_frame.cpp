@@ -3,6 +3,7 @@
 #include "epcc_segmentation/depth_frame.h"
 
 #include <cmath>
+#include <limits>
 
 namespace epcc {
 
@@ -50,6 +51,17 @@ DepthFrame DepthFrame::transposed() const {
   std::swap(frame.row_stride_, frame.column_stride_);
   frame.transposed_ = !transposed_;
   return frame;
+}
+
+void DepthFrame::depthRow(int row, float* depth) const {
+  const std::size_t start = index(row, 0);
+  for (int c = 0; c < width_; ++c) {
+    const float z = depth_[start + static_cast<std::size_t>(c) * column_stride_];
+    depth[c] = z > 0.0f && z <= std::numeric_limits<float>::max() ? z : 0.0f;
+  }
+  if (mask_ == nullptr) return;
+  for (int c = 0; c < width_; ++c)
+    if (mask_[start + static_cast<std::size_t>(c) * column_stride_] == 0) depth[c] = 0.0f;
 }
 
 bool DepthFrame::sensorPoint(std::size_t pixel, int row, int column, double& x, double& y, double& z) const {

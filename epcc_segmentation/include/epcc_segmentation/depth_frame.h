@@ -69,6 +69,15 @@ class DepthFrame {
   bool scanPoint(int row, int column, Eigen::Vector3d& point) const;
   /// Point in the sensor's own frame, metres. False for an invalid pixel.
   bool point(int row, int column, Eigen::Vector3d& point) const;
+  /// Of a pinhole frame: the depths of a row, 0 for invalid pixels, and the rays' slopes
+  /// u = (c - cx)/fx of a column and v = (r - cy)/fy of a row.
+  void depthRow(int row, float* depth) const;
+  double pinholeAcross(int column) const {
+    return transposed_ ? (column - camera_.cy) / camera_.fy : (column - camera_.cx) / camera_.fx;
+  }
+  double pinholeAlong(int row) const {
+    return transposed_ ? (row - camera_.cx) / camera_.fx : (row - camera_.cy) / camera_.fy;
+  }
   /// The measured value of a point of the scan frame: z, or the range.
   double measuredDepth(const Eigen::Vector3d& scan_point) const {
     return isPerspective(projection_) ? scan_point.z() : scan_point.norm();

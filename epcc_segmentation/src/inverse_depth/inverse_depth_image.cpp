@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace epcc {
 
@@ -12,24 +13,46 @@ void InverseDepthImage::read(const DepthFrame& frame, const SensorModel& sensor)
   height = frame.height();
   planar_rows = isPerspective(frame.projection());
   noise = InverseDepthNoise::of(sensor);
-  readDepths(frame);
+  w.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  across.assign(static_cast<std::size_t>(width), 0.0);
+  forward.assign(static_cast<std::size_t>(width), planar_rows ? 1.0 : 0.0);
+  along.assign(static_cast<std::size_t>(height), 0.0);
+  measured_scale.assign(static_cast<std::size_t>(height), 1.0);
+  if (frame.isPinhole())
+    readDepths(frame);
+  else
+    readPoints(frame);
   transpose();
 }
 
-// The rays of a row or a column share a coordinate; for clouds it is the mean over the valid points.
+// Written without branches: the compiler inverts several depths at a time.
 void InverseDepthImage::readDepths(const DepthFrame& frame) {
   const auto columns = static_cast<std::size_t>(width);
-  const auto rows = static_cast<std::size_t>(height);
-  w.assign(columns * rows, 0.0f);
-  across.assign(columns, 0.0);
-  forward.assign(columns, 0.0);
-  along.assign(rows, 0.0);
-  measured_scale.assign(rows, 1.0);
-  std::vector<double> column_count(columns, 0.0);
-  std::vector<double> row_count(rows, 0.0);
-  Eigen::Vector3d p;
-  for (std::size_t r = 0; r < rows; ++r)
+  std::vector<float> depth(columns);
+  for (int r = 0; r < height; ++r) {
+    along[static_cast<std::size_t>(r)] = frame.pinholeAlong(r);
+    frame.depthRow(r, depth.data());
+    float* row = w.data() + static_cast<std::size_t>(r) * columns;
     for (std::size_t c = 0; c < columns; ++c) {
+      const bool valid = depth[c] > 0.0f;
+      const auto inverse = static_cast<float>(1.0 / static_cast<double>(valid ? depth[c] : 1.0f));
+      row[c] = valid && inverse <= std::numeric_limits<float>::max() ? inverse : 0.0f;
+    }
+  }
+  for (std::size_t c = 0; c < columns; ++c) across[c] = frame.pinholeAcross(static_cast<int>(c));
+}
+
+// The rays of a row or a column share a coordinate; for clouds it is the mean over the valid points.
+void InverseDepthImage::readPoints(const DepthFrame& frame) {
+  const auto columns = static_cast<std::size_t>(width);
+  const auto rows = static_cast<std::size_t>(height);
+  std::vector<double> forward_sum(columns, 0.0);
+  std::vector<double> column_count(columns, 0.0);
+  Eigen::Vector3d p;
+  for (std::size_t r = 0; r < rows; ++r) {
+    double row_count = 0.0;
+    for (std::size_t c = 0; c < columns; ++c) {
+      w[r * columns + c] = 0.0f;
       if (!frame.scanPoint(static_cast<int>(r), static_cast<int>(c), p)) continue;
       const double distance = planar_rows ? p.z() : std::sqrt(p.x() * p.x() + p.z() * p.z());
       if (!(distance > 0.0)) continue;
@@ -38,21 +61,28 @@ void InverseDepthImage::readDepths(const DepthFrame& frame) {
       if (!std::isfinite(value) || !(value > 0.0f)) continue;
       w[r * columns + c] = value;
       across[c] += p.x() * inverse;
-      forward[c] += p.z() * inverse;
+      forward_sum[c] += p.z() * inverse;
       along[r] += p.y() * inverse;
       column_count[c] += 1.0;
-      row_count[r] += 1.0;
+      row_count += 1.0;
     }
-  for (std::size_t c = 0; c < columns; ++c) {
-    const double length = planar_rows ? column_count[c] : std::hypot(across[c], forward[c]);
-    if (!(length > 0.0)) continue;
-    across[c] /= length;
-    forward[c] /= length;
-  }
-  for (std::size_t r = 0; r < rows; ++r) {
-    if (row_count[r] > 0.0) along[r] /= row_count[r];
+    if (row_count > 0.0) along[r] /= row_count;
     if (!planar_rows) measured_scale[r] = 1.0 / std::sqrt(1.0 + along[r] * along[r]);
   }
+  for (std::size_t c = 0; c < columns; ++c) {
+    const double length = planar_rows ? column_count[c] : std::hypot(across[c], forward_sum[c]);
+    if (!(length > 0.0)) continue;
+    across[c] /= length;
+    if (!planar_rows) forward[c] = forward_sum[c] / length;
+  }
+}
+
+void InverseDepthImage::weights(int row, double* weight) const {
+  const float* value = w.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
+  const double scale = measured_scale[static_cast<std::size_t>(row)];
+  const double scale2 = scale * scale;
+  const InverseDepthNoise own = noise;  // a local copy cannot alias the weights
+  for (int c = 0; c < width; ++c) weight[c] = scale2 / own.variance(static_cast<double>(value[c]) * scale);
 }
 
 void InverseDepthImage::transpose() {

@@ -49,11 +49,15 @@ struct InverseDepthImage {
     return noise.variance(value * scale) / (scale * scale);
   }
 
+  /// 1/variance of the pixels of a row; meaningless where w is 0.
+  void weights(int row, double* weight) const;
+
   /// Reads a frame; memory is reused. Cloud rays are estimated per row and column from the points.
   void read(const DepthFrame& frame, const SensorModel& sensor);
 
  private:
   void readDepths(const DepthFrame& frame);
+  void readPoints(const DepthFrame& frame);
   void transpose();
 };
 
