@@ -2,7 +2,6 @@
 // S5: crease votes, then passes over the frontier.
 #include "inverse_depth/boundary_refinement.h"
 
-#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -15,7 +14,7 @@ namespace {
 /// What the refinement knows of a region.
 struct RefinedPlane {
   Eigen::Vector3d q = Eigen::Vector3d::Zero();
-  double inverse_slope_factor = 1.0;
+  double inverse_slope = 1.0;  ///< 1 / sqrt(slope factor)
   bool usable = false;
 };
 
@@ -36,14 +35,14 @@ class Refiner {
       if (region.n <= 0.0) continue;
       RefinedPlane& plane = planes_[k + 1];
       plane.q = region.fit(weakRidge(region)).q;
-      plane.inverse_slope_factor = 1.0 / slopeFactor(plane.q, region.meanW());
+      plane.inverse_slope = 1.0 / std::sqrt(slopeFactor(plane.q, region.meanW()));
       plane.usable = true;
     }
   }
 
   void run() {
-    voteCreases();
-    collectFrontier();
+    sweepBorders();
+    countVotes();
     for (int pass = 0; pass < parameters_.passes && !frontier_.empty(); ++pass) {
       use_creases_ = pass < parameters_.crease_passes;
       refineFrontier();
@@ -54,6 +53,10 @@ class Refiner {
   struct Change {
     std::size_t pixel;
     std::int32_t label;
+  };
+  struct Pixel {
+    int row, column;
+    double w, variance, inverse_sigma;
   };
 
   int width() const { return image_.width; }
@@ -66,10 +69,10 @@ class Refiner {
            q.z() * image_.forward[static_cast<std::size_t>(column)];
   }
 
-  /// Squared residual of a pixel on a region's plane, in squared sigma across the surface.
-  double squaredError(std::int32_t label, int row, int column, double w, double variance) const {
-    const double r = w - planeAt(label, row, column);
-    return r * r / variance * planes_[static_cast<std::size_t>(label)].inverse_slope_factor;
+  /// Residual of a pixel on a region's plane, in sigma across the surface.
+  double error(std::int32_t label, const Pixel& pixel) const {
+    return std::abs(pixel.w - planeAt(label, pixel.row, pixel.column)) * pixel.inverse_sigma *
+           planes_[static_cast<std::size_t>(label)].inverse_slope;
   }
 
   template <typename Visit>
@@ -81,37 +84,65 @@ class Refiner {
     if (row + 1 < height()) visit(pixel + width());
   }
 
-  // ---- creases ----
-  // On a convex edge the surface is the farther of the two planes (the smaller w), in a concave corner the nearer.
-  void voteCreases() {
-    struct Votes {
-      int convex = 0, concave = 0;
-    };
-    std::unordered_map<std::uint64_t, Votes> votes;
-    const int reach = parameters_.crease_vote_pixels;
-    const auto vote = [&](std::int32_t own, std::int32_t other, int row, int column) {
-      if (row < 0 || row >= height() || column < 0 || column >= width()) return;
-      if (labels_[static_cast<std::size_t>(row) * width() + column] != own) return;
-      Votes& v = votes[pairKey(own, other)];
-      (planeAt(own, row, column) < planeAt(other, row, column) ? v.convex : v.concave)++;
-    };
-    for (int row = 0; row < height(); ++row)
-      for (int column = 0; column < width(); ++column) {
-        const std::size_t pixel = static_cast<std::size_t>(row) * width() + column;
-        const std::int32_t here = labels_[pixel];
-        if (here == 0) continue;
-        const std::int32_t right = column + 1 < width() ? labels_[pixel + 1] : 0;
-        if (right != 0 && right != here) {
-          vote(here, right, row, column - reach);
-          vote(right, here, row, column + 1 + reach);
+  // ---- borders ----
+  // One sweep over the image: where two labels meet, the pixels join the frontier and the crease is voted.
+  void sweepBorders() {
+    queued_.assign(labels_.size(), 0);
+    const auto step = static_cast<std::size_t>(width());
+    for (int row = 0; row < height(); ++row) {
+      const bool has_below = row + 1 < height();
+      std::size_t pixel = static_cast<std::size_t>(row) * step;
+      for (int column = 0; column < width(); ++column, ++pixel) {
+        if (column + 1 < width() && labels_[pixel] != labels_[pixel + 1]) {
+          meet(pixel, pixel + 1);
+          voteCrease(pixel, pixel + 1, row, column, 0, 1);
         }
-        const std::int32_t below = row + 1 < height() ? labels_[pixel + width()] : 0;
-        if (below != 0 && below != here) {
-          vote(here, below, row - reach, column);
-          vote(below, here, row + 1 + reach, column);
+        if (has_below && labels_[pixel] != labels_[pixel + step]) {
+          meet(pixel, pixel + step);
+          voteCrease(pixel, pixel + step, row, column, 1, 0);
         }
       }
-    for (const auto& [pair, v] : votes) {
+    }
+    for (const std::size_t pixel : frontier_) queued_[pixel] = 0;
+  }
+
+  void meet(std::size_t a, std::size_t b) {
+    if (labels_[b] != 0) enqueue(a);
+    if (labels_[a] != 0) enqueue(b);
+  }
+
+  void enqueue(std::size_t pixel) {
+    if (queued_[pixel] != 0 || !(image_.w[pixel] > 0.0f)) return;
+    queued_[pixel] = 1;
+    frontier_.push_back(pixel);
+  }
+
+  // ---- creases ----
+  // On a convex edge the surface is the farther of the two planes (the smaller w), in a concave corner the nearer.
+  struct Votes {
+    int convex = 0, concave = 0;
+  };
+
+  /// Votes on both sides of the border between pixels a and b, b one step down or to the right of (row, column).
+  void voteCrease(std::size_t a, std::size_t b, int row, int column, int down, int right) {
+    const std::int32_t label_a = labels_[a];
+    const std::int32_t label_b = labels_[b];
+    if (label_a == 0 || label_b == 0) return;
+    const int back = parameters_.crease_vote_pixels;
+    const int forth = back + 1;
+    vote(label_a, label_b, row - back * down, column - back * right);
+    vote(label_b, label_a, row + forth * down, column + forth * right);
+  }
+
+  void vote(std::int32_t own, std::int32_t other, int row, int column) {
+    if (row < 0 || row >= height() || column < 0 || column >= width()) return;
+    if (labels_[static_cast<std::size_t>(row) * width() + column] != own) return;
+    Votes& v = votes_[pairKey(own, other)];
+    (planeAt(own, row, column) < planeAt(other, row, column) ? v.convex : v.concave)++;
+  }
+
+  void countVotes() {
+    for (const auto& [pair, v] : votes_) {
       const int total = v.convex + v.concave;
       if (total < parameters_.crease_min_votes) continue;
       if (v.convex >= parameters_.crease_agreement * total) creases_[pair] = Crease::Convex;
@@ -125,19 +156,6 @@ class Refiner {
   }
 
   // ---- frontier ----
-  void collectFrontier() {
-    queued_.assign(labels_.size(), 0);
-    for (int row = 0; row < height(); ++row)
-      for (int column = 0; column < width(); ++column) {
-        const std::size_t pixel = static_cast<std::size_t>(row) * width() + column;
-        if (!(image_.w[pixel] > 0.0f)) continue;
-        bool border = false;
-        forEachNeighbour(row, column,
-                         [&](std::size_t n) { border |= labels_[n] != 0 && labels_[n] != labels_[pixel]; });
-        if (border) frontier_.push_back(pixel);
-      }
-  }
-
   void refineFrontier() {
     changes_.clear();
     for (const std::size_t pixel : frontier_) {
@@ -146,60 +164,57 @@ class Refiner {
     }
     for (const Change& change : changes_) labels_[change.pixel] = change.label;
     frontier_.clear();
-    const auto enqueue = [this](std::size_t pixel) {
-      if (queued_[pixel] != 0 || !(image_.w[pixel] > 0.0f)) return;
-      queued_[pixel] = 1;
-      frontier_.push_back(pixel);
-    };
     for (const Change& change : changes_) {
       enqueue(change.pixel);
-      forEachNeighbour(static_cast<int>(change.pixel / width()), static_cast<int>(change.pixel % width()), enqueue);
+      forEachNeighbour(static_cast<int>(change.pixel / width()), static_cast<int>(change.pixel % width()),
+                       [this](std::size_t pixel) { enqueue(pixel); });
     }
     for (const std::size_t pixel : frontier_) queued_[pixel] = 0;
   }
 
-  std::int32_t bestLabel(std::size_t pixel) const {
-    const int row = static_cast<int>(pixel / width());
-    const int column = static_cast<int>(pixel % width());
-    const double w = static_cast<double>(image_.w[pixel]);
-    const double variance = image_.variance(w, row);
-    const std::int32_t current = labels_[pixel];
-    double error = parameters_.max_residual;
-    if (current != 0) error = std::sqrt(squaredError(current, row, column, w, variance));
-    const double current_error = error;
+  std::int32_t bestLabel(std::size_t index) const {
+    const std::int32_t current = labels_[index];
+    Pixel pixel;
+    pixel.row = static_cast<int>(index / width());
+    pixel.column = static_cast<int>(index % width());
+    pixel.w = static_cast<double>(image_.w[index]);
+    pixel.variance = image_.variance(pixel.w, pixel.row);
+    pixel.inverse_sigma = 1.0 / std::sqrt(pixel.variance);
+    const double current_error = current != 0 ? error(current, pixel) : parameters_.max_residual;
+    double least = current_error;
     std::int32_t best = current;
-    forEachNeighbour(row, column, [&](std::size_t n) {
+    forEachNeighbour(pixel.row, pixel.column, [&](std::size_t n) {
       const std::int32_t other = labels_[n];
       if (other == 0 || other == current || other == best || !planes_[static_cast<std::size_t>(other)].usable) return;
-      const double e = std::sqrt(squaredError(other, row, column, w, variance));
+      const double e = error(other, pixel);
       if (current == 0) {
-        if (e < error) error = e, best = other;
+        if (e < least) least = e, best = other;
         return;
       }
-      switch (creaseDecision(current, other, row, column, current_error, e, variance)) {
+      switch (creaseDecision(current, other, pixel, current_error, e)) {
         case Decision::Keep:
           return;
         case Decision::Flip:
-          error = std::min(error, e), best = other;
+          least = std::min(least, e), best = other;
           return;
         case Decision::Residual:
           break;
       }
-      if (e < current_error - parameters_.flip_gain && (best == current || e < error)) error = e, best = other;
+      if (e < current_error - parameters_.flip_gain && (best == current || e < least)) least = e, best = other;
     });
     return best;
   }
 
   enum class Decision { Keep, Flip, Residual };
-  Decision creaseDecision(std::int32_t current, std::int32_t other, int row, int column, double current_error,
-                          double other_error, double variance) const {
+  Decision creaseDecision(std::int32_t current, std::int32_t other, const Pixel& pixel, double current_error,
+                          double other_error) const {
     if (!use_creases_) return Decision::Residual;
+    if (current_error > parameters_.crease_range || other_error > parameters_.crease_range) return Decision::Residual;
+    const double difference = planeAt(current, pixel.row, pixel.column) - planeAt(other, pixel.row, pixel.column);
+    if (difference * difference > parameters_.crease_range * parameters_.crease_range * pixel.variance)
+      return Decision::Residual;
     const Crease kind = crease(current, other);
     if (kind == Crease::Unknown) return Decision::Residual;
-    const double difference = planeAt(current, row, column) - planeAt(other, row, column);
-    if (difference * difference > parameters_.crease_range * parameters_.crease_range * variance)
-      return Decision::Residual;
-    if (current_error > parameters_.crease_range || other_error > parameters_.crease_range) return Decision::Residual;
     const bool current_is_surface = kind == Crease::Convex ? difference <= 0.0 : difference >= 0.0;
     if (current_is_surface) return Decision::Keep;
     return other_error < current_error + parameters_.crease_slack ? Decision::Flip : Decision::Keep;
@@ -209,6 +224,7 @@ class Refiner {
   const RefinementParameters& parameters_;
   std::vector<std::int32_t>& labels_;
   std::vector<RefinedPlane> planes_;
+  std::unordered_map<std::uint64_t, Votes> votes_;
   std::unordered_map<std::uint64_t, Crease> creases_;
   std::vector<std::size_t> frontier_;
   std::vector<std::uint8_t> queued_;

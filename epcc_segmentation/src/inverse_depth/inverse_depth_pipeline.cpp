@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "inverse_depth/boundary_refinement.h"
 #include "inverse_depth/evidence.h"
@@ -78,30 +79,61 @@ double InverseDepthPipeline::pixelPitch(const std::vector<double>& coordinate) c
 
 // S3: a pixel takes the larger of its two planes; row planes are numbered after the column planes.
 void InverseDepthPipeline::joinDirections() {
-  const std::size_t width = static_cast<std::size_t>(image_.width);
-  const std::size_t height = static_cast<std::size_t>(image_.height);
-  const auto plane_at = [](const Direction& direction, std::size_t at, double& points) -> std::int32_t {
-    const std::int32_t segment = direction.active ? direction.segment_of[at] : -1;
-    if (segment < 0) return -1;
-    const int plane = direction.plane_of[static_cast<std::size_t>(segment)];
-    points = direction.plane_points[static_cast<std::size_t>(plane)];
-    return points > 0.0 ? plane : -1;
-  };
-  const auto column_planes = static_cast<std::int32_t>(by_columns_.active ? by_columns_.plane_points.size() : 0);
-  const auto row_planes = static_cast<std::int32_t>(by_rows_.active ? by_rows_.plane_points.size() : 0);
-  map_.labels.assign(width * height, 0);
-  for (std::size_t row = 0; row < height; ++row)
-    for (std::size_t column = 0; column < width; ++column) {
-      double points_c = 0.0, points_r = 0.0;
-      const std::int32_t c = plane_at(by_columns_, column * height + row, points_c);
-      const std::int32_t r = plane_at(by_rows_, row * width + column, points_r);
-      if (c >= 0 && (r < 0 || points_c >= points_r))
-        map_.labels[row * width + column] = c + 1;
-      else if (r >= 0)
-        map_.labels[row * width + column] = column_planes + r + 1;
-    }
-  map_.regions.assign(static_cast<std::size_t>(column_planes + row_planes), PlaneMoments());
+  constexpr int kBlock = 32;  // the columns' pixels lie transposed: block by block they stay in the cache
+  rankPlanes();
+  map_.labels.resize(image_.w.size());
+  for (int row_block = 0; row_block < image_.height; row_block += kBlock)
+    for (int column_block = 0; column_block < image_.width; column_block += kBlock)
+      joinBlock(row_block, std::min(row_block + kBlock, image_.height), column_block,
+                std::min(column_block + kBlock, image_.width));
+  map_.regions.assign(label_of_rank_.size() - 1, PlaneMoments());
   map_.accumulate(image_);
+}
+
+// Planes of both directions by size, largest first; of equal ones those of the columns come first. Planes that are
+// too small have the last rank, label 0.
+void InverseDepthPipeline::rankPlanes() {
+  std::vector<double> points;
+  for (const Direction* direction : {&by_columns_, &by_rows_})
+    if (direction->active) points.insert(points.end(), direction->plane_points.begin(), direction->plane_points.end());
+  label_of_rank_.resize(points.size());
+  std::iota(label_of_rank_.begin(), label_of_rank_.end(), 1);
+  std::stable_sort(label_of_rank_.begin(), label_of_rank_.end(), [&](std::int32_t a, std::int32_t b) {
+    return points[static_cast<std::size_t>(a - 1)] > points[static_cast<std::size_t>(b - 1)];
+  });
+  const auto none = static_cast<std::int32_t>(points.size());
+  std::vector<std::int32_t> rank_of_label(points.size() + 1, none);
+  for (std::int32_t rank = 0; rank < none; ++rank) {
+    const std::int32_t label = label_of_rank_[static_cast<std::size_t>(rank)];
+    if (points[static_cast<std::size_t>(label - 1)] > 0.0) rank_of_label[static_cast<std::size_t>(label)] = rank;
+  }
+  label_of_rank_.push_back(0);
+
+  std::size_t first_label = 1;
+  for (Direction* direction : {&by_columns_, &by_rows_}) {
+    // Entry 0 is for pixels of no segment.
+    direction->rank_of.assign(1, none);
+    if (!direction->active) continue;
+    for (const int plane : direction->plane_of)
+      direction->rank_of.push_back(rank_of_label[first_label + static_cast<std::size_t>(plane)]);
+    first_label += direction->plane_points.size();
+  }
+}
+
+void InverseDepthPipeline::joinBlock(int row_begin, int row_end, int column_begin, int column_end) {
+  const auto width = static_cast<std::size_t>(image_.width);
+  const auto height = static_cast<std::size_t>(image_.height);
+  const std::int32_t* column_segment = by_columns_.active ? by_columns_.segment_of.data() : nullptr;
+  const std::int32_t* row_segment = by_rows_.active ? by_rows_.segment_of.data() : nullptr;
+  for (auto row = static_cast<std::size_t>(row_begin); row < static_cast<std::size_t>(row_end); ++row)
+    for (auto column = static_cast<std::size_t>(column_begin); column < static_cast<std::size_t>(column_end); ++column) {
+      const std::size_t pixel = row * width + column;
+      const std::int32_t c = column_segment != nullptr ? column_segment[column * height + row] : -1;
+      const std::int32_t r = row_segment != nullptr ? row_segment[pixel] : -1;
+      const std::int32_t rank = std::min(by_columns_.rank_of[static_cast<std::size_t>(c + 1)],
+                                         by_rows_.rank_of[static_cast<std::size_t>(r + 1)]);
+      map_.labels[pixel] = label_of_rank_[static_cast<std::size_t>(rank)];
+    }
 }
 
 void InverseDepthPipeline::mergeRegions() {

@@ -41,9 +41,12 @@ class InverseDepthPipeline {
     std::vector<std::int32_t> segment_of;  // per pixel, scan-line-major; -1 none
     std::vector<int> plane_of;             // per segment
     std::vector<double> plane_points;      // per plane; 0 if the plane is too small
+    std::vector<std::int32_t> rank_of;     // per segment + 1: rank of its plane among all planes
   };
   void growLines(bool columns, Direction& direction);
   void growPlanes(bool columns, Direction& direction);
+  void rankPlanes();
+  void joinBlock(int row_begin, int row_end, int column_begin, int column_end);
   double pixelPitch(const std::vector<double>& coordinate) const;
 
   Parameters parameters_;
@@ -53,6 +56,7 @@ class InverseDepthPipeline {
   PlaneGrowing plane_growing_;
   Direction by_columns_;
   Direction by_rows_;
+  std::vector<std::int32_t> label_of_rank_;
   RegionMap map_;
 };
 
