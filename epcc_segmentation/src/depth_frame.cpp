@@ -64,52 +64,6 @@ void DepthFrame::depthRow(int row, float* depth) const {
     if (mask_[start + static_cast<std::size_t>(c) * column_stride_] == 0) depth[c] = 0.0f;
 }
 
-bool DepthFrame::sensorPoint(std::size_t pixel, int row, int column, double& x, double& y, double& z) const {
-  if (mask_ != nullptr && mask_[pixel] == 0) return false;
-  if (depth_ != nullptr) {
-    z = static_cast<double>(depth_[pixel]);
-    if (!(z > 0.0) || !std::isfinite(z)) return false;
-    const int image_row = transposed_ ? column : row;
-    const int image_column = transposed_ ? row : column;
-    x = z * ((image_column - camera_.cx) / camera_.fx);
-    y = z * ((image_row - camera_.cy) / camera_.fy);
-    return true;
-  }
-  const float* p = xyz_ + pixel * point_stride_;
-  if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) return false;
-  x = static_cast<double>(p[0]);
-  y = static_cast<double>(p[1]);
-  z = static_cast<double>(p[2]);
-  if (projection_ == Projection::Spherical) return x * x + y * y + z * z > 0.0;
-  return projection_ == Projection::Perspective ? z > 0.0 : z < 0.0;
-}
-
-bool DepthFrame::scanPoint(int row, int column, Eigen::Vector3d& point) const {
-  double x, y, z;
-  if (!sensorPoint(index(row, column), row, column, x, y, z)) return false;
-  // Spherical scans: x forward, y left, z up becomes across = right, along = down, forward.
-  if (projection_ == Projection::Spherical) {
-    const double forward = x;
-    x = -y;
-    y = -z;
-    z = forward;
-  }
-  if (projection_ == Projection::PerspectiveBackward) {
-    y = -y;
-    z = -z;
-  }
-  if (transposed_) std::swap(x, y);
-  point = Eigen::Vector3d(x, y, z);
-  return true;
-}
-
-bool DepthFrame::point(int row, int column, Eigen::Vector3d& point) const {
-  double x, y, z;
-  if (!sensorPoint(index(row, column), row, column, x, y, z)) return false;
-  point = Eigen::Vector3d(x, y, z);
-  return true;
-}
-
 Projection detectProjection(const float* xyz, std::size_t stride, int width, int height) {
   // Sum over neighbouring valid points of a column of the change of each candidate's column angle.
   double perspective_change = 0.0;

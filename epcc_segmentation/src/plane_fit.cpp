@@ -12,26 +12,45 @@ namespace epcc {
 
 namespace {
 
+/// Weighted sums of points.
+struct PointSums {
+  double one = 0.0, x = 0.0, y = 0.0, z = 0.0;
+  double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
+
+  void add(double px, double py, double pz, double weight) {
+    const double wx = weight * px;
+    const double wy = weight * py;
+    const double wz = weight * pz;
+    one += weight;
+    x += wx;
+    y += wy;
+    z += wz;
+    xx += wx * px;
+    xy += wx * py;
+    xz += wx * pz;
+    yy += wy * py;
+    yz += wy * pz;
+    zz += wz * pz;
+  }
+  Eigen::Vector3d first() const { return {x, y, z}; }
+  Eigen::Matrix3d second() const {
+    Eigen::Matrix3d m;
+    m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return m;
+  }
+};
+
 /// Sums over a plane's points about its first point, where double precision loses nothing.
 struct PointMoments {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  std::size_t n = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  double weight = 0.0;
-  Eigen::Vector3d weighted_sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d weighted_squares = Eigen::Matrix3d::Zero();
+  PointSums plain;
+  PointSums weighted;
 
-  void add(const Eigen::Vector3d& p, double w) {
-    if (n == 0) origin = p;
+  void add(const Eigen::Vector3d& p, double weight) {
+    if (plain.one == 0.0) origin = p;
     const Eigen::Vector3d r = p - origin;
-    const Eigen::Matrix3d rr = r * r.transpose();
-    ++n;
-    sum += r;
-    squares += rr;
-    weight += w;
-    weighted_sum += w * r;
-    weighted_squares += w * rr;
+    plain.add(r.x(), r.y(), r.z(), 1.0);
+    weighted.add(r.x(), r.y(), r.z(), weight);
   }
 };
 
@@ -52,14 +71,15 @@ Eigen::Matrix4d coefficientsCovariance(const Eigen::Matrix3d& axes, const Eigen:
 
 Plane planeOf(const PointMoments& moments, const SensorModel& sensor) {
   Plane plane;
-  const double n = static_cast<double>(moments.n);
-  const Eigen::Vector3d mean = moments.sum / n;
-  plane.pixel_count = moments.n;
+  const double n = moments.plain.one;
+  const double weight = moments.weighted.one;
+  const Eigen::Vector3d mean = moments.plain.first() / n;
+  plane.pixel_count = static_cast<std::size_t>(n);
   plane.centroid = moments.origin + mean;
-  plane.points_covariance = moments.squares / n - mean * mean.transpose();
+  plane.points_covariance = moments.plain.second() / n - mean * mean.transpose();
 
-  const Eigen::Vector3d weighted_mean = moments.weighted_sum / moments.weight;
-  const Eigen::Matrix3d scatter = moments.weighted_squares - moments.weight * weighted_mean * weighted_mean.transpose();
+  const Eigen::Vector3d weighted_mean = moments.weighted.first() / weight;
+  const Eigen::Matrix3d scatter = moments.weighted.second() - weight * weighted_mean * weighted_mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   Eigen::Vector3d normal = solver.eigenvectors().col(0);
   const Eigen::Vector3d centre = moments.origin + weighted_mean;
@@ -71,32 +91,46 @@ Plane planeOf(const PointMoments& moments, const SensorModel& sensor) {
   plane.rms = std::sqrt(spread + mean_distance * mean_distance);
   // Neighbouring errors are alike: N pixels are worth N / pixelsPerSample independent ones.
   const double residual = std::max(0.0, solver.eigenvalues()(0)) / std::max(1.0, n - 3.0);
-  plane.coefficients_covariance = coefficientsCovariance(solver.eigenvectors(), solver.eigenvalues(), moments.weight,
+  plane.coefficients_covariance = coefficientsCovariance(solver.eigenvectors(), solver.eigenvalues(), weight,
                                                          centre, residual * sensor.pixelsPerSample());
   return plane;
+}
+
+std::vector<PointMoments> momentsOfLabels(const DepthFrame& frame, const SensorModel& sensor, int plane_count,
+                                          const std::vector<std::int32_t>& labels) {
+  std::vector<PointMoments> moments(static_cast<std::size_t>(plane_count));
+  const bool perspective = isPerspective(frame.projection());
+  Eigen::Vector3d p;
+  for (int row = 0; row < frame.height(); ++row) {
+    int column = 0;
+    while (column < frame.width()) {
+      const std::int32_t label = labels[frame.index(row, column)];
+      if (label <= 0) {
+        ++column;
+        continue;
+      }
+      // A run of one label is summed in registers.
+      PointMoments run = moments[static_cast<std::size_t>(label - 1)];
+      for (; column < frame.width() && labels[frame.index(row, column)] == label; ++column)
+        if (frame.point(row, column, p)) run.add(p, 1.0 / sensor.varianceZ(perspective ? std::abs(p.z()) : p.norm()));
+      moments[static_cast<std::size_t>(label - 1)] = run;
+    }
+  }
+  return moments;
 }
 
 }  // namespace
 
 void fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count, PlaneSegmentation& segmentation) {
-  std::vector<PointMoments> moments(static_cast<std::size_t>(plane_count));
-  Eigen::Vector3d p;
-  for (int row = 0; row < frame.height(); ++row)
-    for (int column = 0; column < frame.width(); ++column) {
-      const std::int32_t label = segmentation.labels[frame.index(row, column)];
-      if (label <= 0 || !frame.point(row, column, p)) continue;
-      const double sigma = sensor.sigmaZ(isPerspective(frame.projection()) ? std::abs(p.z()) : p.norm());
-      moments[static_cast<std::size_t>(label - 1)].add(p, 1.0 / (sigma * sigma));
-    }
-
+  const std::vector<PointMoments> moments = momentsOfLabels(frame, sensor, plane_count, segmentation.labels);
   std::vector<std::size_t> order(moments.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return moments[i].n > moments[j].n; });
+                   [&](std::size_t i, std::size_t j) { return moments[i].plain.one > moments[j].plain.one; });
   std::vector<std::int32_t> new_label(moments.size() + 1, 0);
   segmentation.planes.clear();
   for (const std::size_t i : order) {
-    if (moments[i].n == 0) break;
+    if (moments[i].plain.one == 0.0) break;
     segmentation.planes.push_back(planeOf(moments[i], sensor));
     new_label[i + 1] = static_cast<std::int32_t>(segmentation.planes.size());
   }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace epcc {
 
@@ -99,6 +101,53 @@ class DepthFrame {
   Projection projection_ = Projection::Perspective;
   bool transposed_ = false;
 };
+
+// Inline, for they are called once a pixel.
+inline bool DepthFrame::sensorPoint(std::size_t pixel, int row, int column, double& x, double& y, double& z) const {
+  if (mask_ != nullptr && mask_[pixel] == 0) return false;
+  if (depth_ != nullptr) {
+    z = static_cast<double>(depth_[pixel]);
+    if (!(z > 0.0) || !std::isfinite(z)) return false;
+    const int image_row = transposed_ ? column : row;
+    const int image_column = transposed_ ? row : column;
+    x = z * ((image_column - camera_.cx) / camera_.fx);
+    y = z * ((image_row - camera_.cy) / camera_.fy);
+    return true;
+  }
+  const float* p = xyz_ + pixel * point_stride_;
+  if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) return false;
+  x = static_cast<double>(p[0]);
+  y = static_cast<double>(p[1]);
+  z = static_cast<double>(p[2]);
+  if (projection_ == Projection::Spherical) return x * x + y * y + z * z > 0.0;
+  return projection_ == Projection::Perspective ? z > 0.0 : z < 0.0;
+}
+
+inline bool DepthFrame::scanPoint(int row, int column, Eigen::Vector3d& point) const {
+  double x, y, z;
+  if (!sensorPoint(index(row, column), row, column, x, y, z)) return false;
+  // Spherical scans: x forward, y left, z up becomes across = right, along = down, forward.
+  if (projection_ == Projection::Spherical) {
+    const double forward = x;
+    x = -y;
+    y = -z;
+    z = forward;
+  }
+  if (projection_ == Projection::PerspectiveBackward) {
+    y = -y;
+    z = -z;
+  }
+  if (transposed_) std::swap(x, y);
+  point = Eigen::Vector3d(x, y, z);
+  return true;
+}
+
+inline bool DepthFrame::point(int row, int column, Eigen::Vector3d& point) const {
+  double x, y, z;
+  if (!sensorPoint(index(row, column), row, column, x, y, z)) return false;
+  point = Eigen::Vector3d(x, y, z);
+  return true;
+}
 
 /// Finds out what kind of measurement an organized cloud is: along the columns of a perspective one x/z is constant,
 /// along those of a spherical one the azimuth atan2(y, x). A perspective cloud most of whose points have z < 0 looks

@@ -40,6 +40,12 @@ class SensorModel {
     const double sigma = polynomial_ ? (k_[0] * z + k_[1]) * z + k_[2] : std::hypot(k_[0], k_[1] * z * z);
     return sigma > kSmallestSigma ? sigma : kSmallestSigma;
   }
+  /// sigma_z^2, without a square root.
+  double varianceZ(double z) const {
+    const double spread = polynomial_ ? std::fmax(0.0, (k_[0] * z + k_[1]) * z + k_[2]) : k_[1] * z * z;
+    const double variance = spread * spread + (polynomial_ ? 0.0 : k_[0] * k_[0]);
+    return variance > kSmallestSigma * kSmallestSigma ? variance : kSmallestSigma * kSmallestSigma;
+  }
   /// Standard deviation of the inverse depth, sigma_z / z^2, in 1/m.
   double sigmaInverseDepth(double z) const { return sigmaZ(z) / (z * z); }
 
