@@ -90,16 +90,18 @@ class Refiner {
     queued_.assign(labels_.size(), 0);
     const auto step = static_cast<std::size_t>(width());
     for (int row = 0; row < height(); ++row) {
-      const bool has_below = row + 1 < height();
-      std::size_t pixel = static_cast<std::size_t>(row) * step;
-      for (int column = 0; column < width(); ++column, ++pixel) {
-        if (column + 1 < width() && labels_[pixel] != labels_[pixel + 1]) {
+      const std::size_t start = static_cast<std::size_t>(row) * step;
+      const std::int32_t* here = labels_.data() + start;
+      const std::int32_t* below = row + 1 < height() ? here + step : here;  // no border under the last row
+      for (std::size_t column = 0; column < step; ++column) {
+        const std::size_t pixel = start + column;
+        if (column + 1 < step && here[column] != here[column + 1]) {
           meet(pixel, pixel + 1);
-          voteCrease(pixel, pixel + 1, row, column, 0, 1);
+          voteCrease(pixel, pixel + 1, row, static_cast<int>(column), 0, 1);
         }
-        if (has_below && labels_[pixel] != labels_[pixel + step]) {
+        if (here[column] != below[column]) {
           meet(pixel, pixel + step);
-          voteCrease(pixel, pixel + step, row, column, 1, 0);
+          voteCrease(pixel, pixel + step, row, static_cast<int>(column), 1, 0);
         }
       }
     }

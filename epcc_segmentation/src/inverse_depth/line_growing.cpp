@@ -45,32 +45,38 @@ void LineGrowing::add(int position, LineSums& sums) const {
 // Adds the samples from `position` on to the active line until one is rejected or lies beyond a gap, which ends
 // the line. Returns that sample's position.
 int LineGrowing::extendActive(int position) {
+  // Copies that the compiler may keep in registers.
+  const float* w = w_;
+  const double* x = x_;
+  const double* variance = variance_.data();
+  const double* weight = weight_.data();
+  std::int32_t* segment_of = segment_of_;
+  const int count = count_;
+  const int reach = parameters_.max_gap_pixels + 1;
   const double k2 = parameters_.k_max * parameters_.k_max;
   LineSums sums = active_.sums;
   int last = active_.last;
   int i = position;
-  bool ended = false;
-  for (; i < count_; ++i) {
-    if (!(w_[i] > 0.0f)) {
-      segment_of_[i] = -1;
+  for (; i < count; ++i) {
+    const auto value = static_cast<double>(w[i]);
+    if (!(value > 0.0)) {
+      segment_of[i] = -1;
       continue;
     }
-    ended = i - last > parameters_.max_gap_pixels + 1;
-    if (ended) break;
+    if (i - last > reach) break;
     // |w - mean_w - slope (x - mean_x)| <= k_max sigma_w, times one * (one Sxx).
     const double sxx = sums.scaledSxx();
-    const double residual = (static_cast<double>(w_[i]) * sums.one - sums.w) * sxx -
-                            (x_[i] * sums.one - sums.x) * sums.scaledSxw();
+    const double residual = (value * sums.one - sums.w) * sxx - (x[i] * sums.one - sums.x) * sums.scaledSxw();
     const double scale = sums.one * sxx;
-    if (!(residual * residual <= k2 * variance_[i] * (scale * scale))) break;
-    add(i, sums);
-    segment_of_[i] = active_id_;
+    if (!(residual * residual <= k2 * variance[i] * (scale * scale))) break;
+    sums.add(x[i], value, variance[i], weight[i]);
+    segment_of[i] = active_id_;
     last = i;
   }
   if (last != active_.last) buffer_.clear();
   active_.sums = sums;
   active_.last = last;
-  if (ended) emit();
+  if (i < count && i - last > reach) emit();
   return i;
 }
 
