@@ -91,8 +91,8 @@ Plane planeOf(const PointMoments& moments, const SensorModel& sensor) {
   plane.rms = std::sqrt(spread + mean_distance * mean_distance);
   // Neighbouring errors are alike: N pixels are worth N / pixelsPerSample independent ones.
   const double residual = std::max(0.0, solver.eigenvalues()(0)) / std::max(1.0, n - 3.0);
-  plane.coefficients_covariance = coefficientsCovariance(solver.eigenvectors(), solver.eigenvalues(), weight,
-                                                         centre, residual * sensor.pixelsPerSample());
+  plane.coefficients_covariance = coefficientsCovariance(solver.eigenvectors(), solver.eigenvalues(), weight, centre,
+                                                         residual * sensor.pixelsPerSample());
   return plane;
 }
 

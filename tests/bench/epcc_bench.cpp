@@ -45,7 +45,9 @@ void extract(benchmark::State& state, int width, int height, epcc::Parameters pa
     sum.regions += extractor.times().regions;
     sum.result += extractor.times().result;
   }
-  const auto mean = [](double seconds) { return benchmark::Counter(1e3 * seconds, benchmark::Counter::kAvgIterations); };
+  const auto mean = [](double seconds) {
+    return benchmark::Counter(1e3 * seconds, benchmark::Counter::kAvgIterations);
+  };
   state.counters["read"] = mean(sum.read);
   state.counters["lines"] = mean(sum.lines);
   state.counters["planes"] = mean(sum.planes);

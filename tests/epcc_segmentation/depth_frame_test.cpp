@@ -70,6 +70,26 @@ TEST(DepthFrame, MaskedPixelsAreInvalid) {
   EXPECT_TRUE(frame.point(0, 1, p));
 }
 
+TEST(DepthFrame, RowsOfDepthsAndSlopesAreThoseOfThePoints) {
+  const PinholeCamera camera{3, 2, 100.0, 200.0, 1.0, 0.5};
+  const std::vector<float> depth = {2.0f, 0.0f, -1.0f, kNan, 4.0f, kInf};
+  const std::vector<std::uint8_t> mask = {1, 1, 1, 1, 0, 1};
+  const DepthFrame plain = DepthFrame::fromDepth(depth.data(), camera);
+  for (const DepthFrame& frame : {plain, plain.transposed(), plain.masked(mask.data())})
+    for (int row = 0; row < frame.height(); ++row) {
+      std::vector<float> row_depths(static_cast<std::size_t>(frame.width()), -1.0f);
+      frame.depthRow(row, row_depths.data());
+      for (int column = 0; column < frame.width(); ++column) {
+        Eigen::Vector3d p = Eigen::Vector3d::Zero();
+        frame.scanPoint(row, column, p);
+        const double z = static_cast<double>(row_depths[static_cast<std::size_t>(column)]);
+        EXPECT_EQ(z, p.z());
+        EXPECT_EQ(z * frame.pinholeAcross(column), p.x());
+        EXPECT_EQ(z * frame.pinholeAlong(row), p.y());
+      }
+    }
+}
+
 TEST(DepthFrame, CloudsTakeTheirPointsAsTheyAre) {
   const std::vector<float> cloud = {1, 2, 3, 9, kNan, 2, 3, 9, 1, 2, -3, 9, 1, 2, kInf, 9};
   const DepthFrame frame = DepthFrame::fromPoints(cloud.data(), 4, 2, 2, Projection::Perspective);

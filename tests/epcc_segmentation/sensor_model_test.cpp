@@ -25,6 +25,13 @@ TEST(SensorModel, AxialFormIsTheQuadraticSum) {
   EXPECT_EQ(SensorModel::axial(0.001, 0.0, 0.1).pixelsPerSample(), 1.0);
 }
 
+TEST(SensorModel, VarianceIsTheSquareOfSigma) {
+  for (const SensorModel& model : {SensorModel::axial(0.0035, 0.0055), SensorModel(), SensorModel::axial(0.0, 1e-9),
+                                   SensorModel::polynomial(0.0, 0.01, -0.005)})
+    for (const double z : {0.1, 1.0, 2.5, 8.0})
+      EXPECT_NEAR(model.varianceZ(z) / (model.sigmaZ(z) * model.sigmaZ(z)), 1.0, 1e-12) << model.description();
+}
+
 TEST(SensorModel, EveryPresetIsKnownAndValid) {
   EXPECT_EQ(SensorModel::presetNames().size(), 7u);
   for (const auto& name : SensorModel::presetNames()) {

@@ -90,8 +90,8 @@ void InverseDepthImage::transpose() {
   w_transposed.resize(w.size());
   for (int row_block = 0; row_block < height; row_block += kBlock)
     for (int column_block = 0; column_block < width; column_block += kBlock)
-      for (int row = row_block; row < std::min(row_block + kBlock, height); ++row)
-        for (int column = column_block; column < std::min(column_block + kBlock, width); ++column)
+      for (int column = column_block; column < std::min(column_block + kBlock, width); ++column)
+        for (int row = row_block; row < std::min(row_block + kBlock, height); ++row)
           w_transposed[static_cast<std::size_t>(column) * height + row] =
               w[static_cast<std::size_t>(row) * width + column];
 }

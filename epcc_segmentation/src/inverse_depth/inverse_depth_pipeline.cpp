@@ -126,7 +126,8 @@ void InverseDepthPipeline::joinBlock(int row_begin, int row_end, int column_begi
   const std::int32_t* column_segment = by_columns_.active ? by_columns_.segment_of.data() : nullptr;
   const std::int32_t* row_segment = by_rows_.active ? by_rows_.segment_of.data() : nullptr;
   for (auto row = static_cast<std::size_t>(row_begin); row < static_cast<std::size_t>(row_end); ++row)
-    for (auto column = static_cast<std::size_t>(column_begin); column < static_cast<std::size_t>(column_end); ++column) {
+    for (auto column = static_cast<std::size_t>(column_begin); column < static_cast<std::size_t>(column_end);
+         ++column) {
       const std::size_t pixel = row * width + column;
       const std::int32_t c = column_segment != nullptr ? column_segment[column * height + row] : -1;
       const std::int32_t r = row_segment != nullptr ? row_segment[pixel] : -1;
