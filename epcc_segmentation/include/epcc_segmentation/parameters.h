@@ -147,7 +147,7 @@ struct EvidenceParameters {
   /// Largest mean squared residual in sigma^2 across the surface. (0, 1e6]
   double max_chi2 = 4.0;
   /// Independent samples a region needs, times max(0.5, chi^2). [0, 1e6]
-  double min_evidence = 10.0;
+  double min_evidence = 11.0;
   /// Surfaces that bend with a smaller radius are not planes, metres ... [0, 1e6]
   double min_radius = 0.4;
   /// ... if bending explains at least this share of the squared residuals ... [0, 1]

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSigmaOverError = 2.6;    // sigma of the model over a low quantile of the error
 constexpr double kLongCorrelation = 0.14;  // at a quarter of the block: half-size blocks would hardly see the error
-constexpr double kLengthOverFit = 1.05;    // by experiment, see docs/algorithm.md
+constexpr double kLengthOverFit = 1.2;     // a block shows a length of 8 px as 6.7
 constexpr double kLongestOfImage = 1.0 / 67;
 constexpr double kShortestBlotch = 1.5;
 constexpr double kPinball = 0.3;
