@@ -65,6 +65,7 @@ std::string MergingParameters::validate() const {
                   checkRange("merging.max_step", max_step, kSmallest, 1e6),
                   checkRange("merging.ragged_border", ragged_border, kSmallest, 1e6),
                   checkRange("merging.max_ragged_gain", max_ragged_gain, 1.0, 100.0),
+                  checkRange("merging.max_ragged_step", max_ragged_step, 0.0, 1e6),
                   checkRange("merging.bridge_samples", bridge_samples, 0.0, 1000.0),
                   checkRange("merging.min_contacts", min_contacts, 1, 1000000),
                   checkRange("merging.min_samples", min_samples, 0.0, 1e6),

@@ -104,9 +104,12 @@ struct MergingParameters {
   /// A border is ragged if it has more contacts than this times 4 sqrt(n) of the smaller region (1 is the border of
   /// a square); then the offset tolerance grows in proportion ... (0, 1e6]
   double ragged_border = 1.5;
-  /// ... up to this factor. [1, 100]
+  /// ... up to this factor ... [1, 100]
   double max_ragged_gain = 2.0;
-  /// Regions are neighbours across unlabelled pixels worth so many independent samples of a line ... [0, 1000]
+  /// ... where the step along the border, rms in sigma, is smaller than this. [0, 1e6]
+  double max_ragged_step = 1.75;
+  /// Regions are neighbours across unlabelled pixels worth so many independent samples of a line, or across the gap
+  /// that a line may have ... [0, 1000]
   double bridge_samples = 1.0;
   /// ... in at least so many places. [1, 1e6]
   int min_contacts = 3;

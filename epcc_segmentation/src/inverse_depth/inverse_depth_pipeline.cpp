@@ -138,7 +138,8 @@ void InverseDepthPipeline::joinBlock(int row_begin, int row_end, int column_begi
 }
 
 void InverseDepthPipeline::mergeRegions() {
-  const int bridge = static_cast<int>(parameters_.merging.bridge_samples * sensor_.pixelsPerLineSample());
+  const int bridge = std::max(parameters_.line_growing.max_gap_pixels,
+                              static_cast<int>(parameters_.merging.bridge_samples * sensor_.pixelsPerLineSample()));
   epcc::mergeRegions(findContacts(image_, bridge, map_), parameters_.merging, sensor_, map_);
   dropSmallRegions(parameters_.merging, sensor_, map_);
 }

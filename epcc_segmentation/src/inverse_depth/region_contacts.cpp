@@ -5,56 +5,63 @@
 namespace epcc {
 
 void Contact::add(const InverseDepthImage& image, int row, int column, int other_row, int other_column) {
-  const auto weighted = [&image](int r, int c) -> Eigen::Matrix3d {
+  const auto addRay = [&](int r, int c) {
     const double w = static_cast<double>(image.w[static_cast<std::size_t>(r) * image.width + c]);
     const Eigen::Vector3d ray = image.ray(r, c);
-    return ray * ray.transpose() / image.variance(w, r);
+    rays.noalias() += (0.5 / image.variance(w, r) * ray) * ray.transpose();
   };
   ++count;
-  rays += 0.5 * (weighted(row, column) + weighted(other_row, other_column));
+  addRay(row, column);
+  addRay(other_row, other_column);
 }
 
 namespace {
 
-/// Collects, along one line of pixels, the label changes across at most `bridge` unlabelled pixels.
-class ContactCounter {
+/// Adds up contacts. Borders come in runs, so the pair before is looked at first.
+class ContactCollector {
  public:
-  ContactCounter(const InverseDepthImage& image, int bridge, RegionContacts& contacts)
-      : image_(image), bridge_(bridge), contacts_(contacts) {}
+  ContactCollector(const InverseDepthImage& image, const std::vector<std::int32_t>& labels, RegionContacts& contacts)
+      : image_(image), labels_(labels), contacts_(contacts) {}
 
-  void add(int row, int column, int position, std::int32_t label) {
-    if (label == 0) return;
-    if (last_label_ != 0 && last_label_ != label && position - last_position_ <= bridge_ + 1) {
-      Contact& contact = contacts_[RegionPair(label, last_label_)];
-      contact.add(image_, row, column, last_row_, last_column_);
+  /// Two labelled pixels that follow each other on a line.
+  void meet(int row, int column, int other_row, int other_column) {
+    const RegionPair pair(labelAt(row, column), labelAt(other_row, other_column));
+    if (pair.low == pair.high) return;
+    if (contact_ == nullptr || !(pair == pair_)) {
+      pair_ = pair;
+      contact_ = &contacts_[pair];  // stays where it is when others are added
     }
-    last_label_ = label;
-    last_position_ = position;
-    last_row_ = row;
-    last_column_ = column;
+    contact_->add(image_, row, column, other_row, other_column);
+  }
+
+  std::int32_t labelAt(int row, int column) const {
+    return labels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
+                   static_cast<std::size_t>(column)];
   }
 
  private:
   const InverseDepthImage& image_;
-  int bridge_;
+  const std::vector<std::int32_t>& labels_;
   RegionContacts& contacts_;
-  std::int32_t last_label_ = 0;
-  int last_position_ = 0;
-  int last_row_ = 0;
-  int last_column_ = 0;
+  RegionPair pair_{0, 0};
+  Contact* contact_ = nullptr;
 };
 
 }  // namespace
 
 RegionContacts findContacts(const InverseDepthImage& image, int bridge, const RegionMap& map) {
   RegionContacts contacts;
-  std::vector<ContactCounter> columns(static_cast<std::size_t>(image.width), ContactCounter(image, bridge, contacts));
+  ContactCollector collector(image, map.labels, contacts);
+  std::vector<int> last_row(static_cast<std::size_t>(image.width), -1);  // last labelled row of each column
   for (int row = 0; row < image.height; ++row) {
-    ContactCounter along_row(image, bridge, contacts);
+    int last_column = -1;
     for (int column = 0; column < image.width; ++column) {
-      const std::int32_t label = map.labels[static_cast<std::size_t>(row) * image.width + column];
-      along_row.add(row, column, column, label);
-      columns[static_cast<std::size_t>(column)].add(row, column, row, label);
+      if (collector.labelAt(row, column) == 0) continue;
+      if (last_column >= 0 && column - last_column <= bridge + 1) collector.meet(row, column, row, last_column);
+      last_column = column;
+      int& above = last_row[static_cast<std::size_t>(column)];
+      if (above >= 0 && row - above <= bridge + 1) collector.meet(row, column, above, column);
+      above = row;
     }
   }
   return contacts;

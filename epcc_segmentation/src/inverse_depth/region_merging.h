@@ -15,10 +15,6 @@ void mergeRegions(const RegionContacts& contacts, const MergingParameters& param
 /// Unlabels the regions with fewer than min_samples independent samples.
 void dropSmallRegions(const MergingParameters& parameters, const SensorModel& sensor, RegionMap& map);
 
-/// Cost of a merge, <= 1 to merge: RSS increase over what offset and correlation allow.
-double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const Contact& contact,
-                 const MergingParameters& parameters, double pixels_per_sample);
-
 /// A weak ridge that keeps one-line regions solvable.
 double weakRidge(const PlaneMoments& moments);
 

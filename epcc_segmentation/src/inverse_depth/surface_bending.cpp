@@ -22,16 +22,21 @@ constexpr double kLeastDepth = 0.2;
 
 using Terms = Eigen::Matrix<double, 6, 1>;
 
-/// The camera turned about its column axis until it looks at the region, so that a region anywhere in the image or on
-/// a scan has the coordinates u = x'/z', v = y'/z' about (0, v0).
+/// A region in the camera's coordinates u = x/z, v = y/z about its middle (u0, v0). On a scan, whose rays go all
+/// around, in those of a camera turned about the scan's axis until it looks at the region.
 class RegionView {
  public:
-  explicit RegionView(const PlaneMoments& region) {
+  RegionView(const PlaneMoments& region, bool turned) {
     // Rays weighted by w: their direction is the middle of the region.
-    const double length = std::hypot(region.rays_w.x(), region.rays_w.z());
-    sine_ = region.rays_w.x() / length;
-    cosine_ = region.rays_w.z() / length;
-    v0_ = region.rays_w.y() / length;
+    const Eigen::Vector3d& middle = region.rays_w;
+    if (turned) {
+      const double length = std::hypot(middle.x(), middle.z());
+      sine_ = middle.x() / length;
+      cosine_ = middle.z() / length;
+    }
+    const double depth = sine_ * middle.x() + cosine_ * middle.z();
+    u0_ = (cosine_ * middle.x() - sine_ * middle.z()) / depth;
+    v0_ = middle.y() / depth;
     q_ = region.fit(weakRidge(region)).q;
     stride_ = std::max(1, static_cast<int>(std::sqrt(region.n / kSamples)));
     normal_ = {cosine_ * q_.x() - sine_ * q_.z(), q_.y(), sine_ * q_.x() + cosine_ * q_.z()};
@@ -40,9 +45,9 @@ class RegionView {
   int stride() const { return stride_; }
 
   void add(const Eigen::Vector3d& ray, double w, double variance) {
-    const double depth = sine_ * ray.x() + cosine_ * ray.z();  // z' of a ray of unit depth; 1 on a pinhole's axis
+    const double depth = sine_ * ray.x() + cosine_ * ray.z();  // 1 unless turned
     if (depth < kLeastDepth) return;
-    const double u = (cosine_ * ray.x() - sine_ * ray.z()) / depth;
+    const double u = (cosine_ * ray.x() - sine_ * ray.z()) / depth - u0_;
     const double v = ray.y() / depth - v0_;
     const double residual = (w - q_.dot(ray)) / depth;
     const double weight = depth * depth / variance;
@@ -64,24 +69,24 @@ class RegionView {
     Bending result;
     result.rss = pixels_per_sample * rss_;
     result.gain = std::min(result.rss, pixels_per_sample * c.dot(right_side_));
-    // The surface is F = z' w(x'/z', y'/z') - 1 = 0 with gradient `normal` and, at (0, v0), second derivatives
-    // J^T H J / z', J = d(u, v) z' / d(x', y', z'). Its second fundamental form is their restriction to the tangents.
+    // The surface is F = z w(x/z, y/z) - 1 = 0 with gradient `normal` and, in the middle, second derivatives
+    // J^T H J / z, J = z d(u, v) / d(x, y, z). Its second fundamental form is their restriction to the tangents.
     Eigen::Matrix2d hessian;
     hessian << 2.0 * c[3], c[4], c[4], 2.0 * c[5];
     Eigen::Matrix<double, 2, 3> j;
-    j << 1.0, 0.0, 0.0, 0.0, 1.0, -v0_;
+    j << 1.0, 0.0, -u0_, 0.0, 1.0, -v0_;
     Eigen::Matrix<double, 3, 2> tangents;
     tangents.col(0) = normal_.unitOrthogonal();
     tangents.col(1) = normal_.normalized().cross(tangents.col(0));
     const Eigen::Matrix2d along_tangents = tangents.transpose() * j.transpose() * hessian * j * tangents;
-    const double inverse_depth = normal_.y() * v0_ + normal_.z();
+    const double inverse_depth = normal_.dot(Eigen::Vector3d(u0_, v0_, 1.0));
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(along_tangents, Eigen::EigenvaluesOnly);
     result.curvature = principal.eigenvalues().cwiseAbs().maxCoeff() * inverse_depth / normal_.norm();
     return result;
   }
 
  private:
-  double sine_ = 0.0, cosine_ = 1.0, v0_ = 0.0, rss_ = 0.0;
+  double sine_ = 0.0, cosine_ = 1.0, u0_ = 0.0, v0_ = 0.0, rss_ = 0.0;
   Eigen::Vector3d q_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  // q in the turned camera: the plane's normal / distance
   int stride_ = 1;
@@ -98,7 +103,7 @@ std::vector<Bending> measureBending(const InverseDepthImage& image, const Region
   for (std::size_t k = 0; k < map.regions.size(); ++k)
     if (wanted[k] != 0) {
       view_of[k + 1] = static_cast<std::int32_t>(views.size());
-      views.emplace_back(map.regions[k]);
+      views.emplace_back(map.regions[k], !image.planar_rows);
     }
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column) {
