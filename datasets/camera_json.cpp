@@ -27,32 +27,12 @@ std::string readText(const std::string& path) {
   return text.str();
 }
 
-nlohmann::json parseObject(const std::string& path) {
-  try {
-    const auto too_deep = [&path](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-      if (depth > kDeepestNesting) throw InputError(path, "JSON", "is nested too deeply");
-      return true;
-    };
-    auto json = nlohmann::json::parse(readText(path), too_deep);
-    if (!json.is_object()) throw InputError(path, "JSON", "is not an object");
-    return json;
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(path, "JSON", error.what());
-  }
-}
-
 double number(const std::string& path, const nlohmann::json& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end()) throw InputError(path, key, "is missing");
   if (!found->is_number()) throw InputError(path, key, "is not a number");
   const double value = found->get<double>();
   if (!std::isfinite(value)) throw InputError(path, key, "is not finite");
-  return value;
-}
-
-double positive(const std::string& path, const nlohmann::json& json, const char* key) {
-  const double value = number(path, json, key);
-  if (!(value > 0.0)) throw InputError(path, key, "must be positive");
   return value;
 }
 
@@ -72,18 +52,38 @@ std::optional<std::string> text(const std::string& path, const nlohmann::json& j
 
 }  // namespace
 
+nlohmann::json readJsonObject(const std::string& path) {
+  try {
+    const auto too_deep = [&path](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+      if (depth > kDeepestNesting) throw InputError(path, "JSON", "is nested too deeply");
+      return true;
+    };
+    auto json = nlohmann::json::parse(readText(path), too_deep);
+    if (!json.is_object()) throw InputError(path, "JSON", "is not an object");
+    return json;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(path, "JSON", error.what());
+  }
+}
+
+double positiveNumber(const std::string& path, const nlohmann::json& json, const char* key) {
+  const double value = number(path, json, key);
+  if (!(value > 0.0)) throw InputError(path, key, "must be positive");
+  return value;
+}
+
 CameraFile readCameraJson(const std::string& path) {
-  nlohmann::json json = parseObject(path);
+  nlohmann::json json = readJsonObject(path);
   CameraFile file;
   file.camera.width = imageSide(path, json, "width");
   file.camera.height = imageSide(path, json, "height");
   if (static_cast<long>(file.camera.width) * file.camera.height > kMostPixels)
     throw InputError(path, "width", "times height is more than " + std::to_string(kMostPixels) + " pixels");
-  file.camera.fx = positive(path, json, "fx");
-  file.camera.fy = positive(path, json, "fy");
+  file.camera.fx = positiveNumber(path, json, "fx");
+  file.camera.fy = positiveNumber(path, json, "fy");
   file.camera.cx = number(path, json, "cx");
   file.camera.cy = number(path, json, "cy");
-  file.depth_scale = positive(path, json, "depth_scale");
+  file.depth_scale = positiveNumber(path, json, "depth_scale");
   if (file.depth_scale > kLargestDepthScale) throw InputError(path, "depth_scale", "is more than 1000 m a unit");
   file.name = text(path, json, "name").value_or("");
   file.noise = text(path, json, "noise");

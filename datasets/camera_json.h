@@ -19,6 +19,11 @@ struct CameraFile {
   nlohmann::json extra;              ///< every other key, kept as it is
 };
 
+/// An object of at most 16 MiB; InputError for anything else.
+nlohmann::json readJsonObject(const std::string& path);
+/// Member `key`, which must be a positive number.
+double positiveNumber(const std::string& path, const nlohmann::json& json, const char* key);
+
 /// Needs width, height, fx, fy, cx, cy and depth_scale; unknown keys are kept. InputError names the key.
 CameraFile readCameraJson(const std::string& path);
 void writeCameraJson(const std::string& path, const CameraFile& file);

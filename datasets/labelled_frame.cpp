@@ -38,7 +38,7 @@ void checkSizeToWrite(const std::string& path, const Image<T>& image, const Pinh
 
 DepthFrame frameView(const LabelledFrame& frame) {
   if (frame.scan.empty()) return DepthFrame::fromDepth(frame.depth.data.data(), frame.camera.camera);
-  return DepthFrame::fromPoints(frame.scan.data(), 3, frame.depth.width, frame.depth.height, Projection::Spherical);
+  return DepthFrame::fromPoints(frame.scan.data(), 3, frame.depth.width, frame.depth.height, frame.projection);
 }
 
 std::vector<std::string> listLabelledFrames(const std::string& folder) {

@@ -16,8 +16,10 @@ struct LabelledFrame {
   CameraFile camera;
   DepthImage depth;
   LabelImage labels;
-  /// x, y, z of every pixel of a spherical scan, whose ranges `depth` holds; empty for a camera's frame.
+  /// x, y, z of every pixel of a cloud, whose measured values (ranges of a spherical scan) `depth` holds; empty for a
+  /// depth image, whose pixels `camera` turns into points.
   std::vector<float> scan;
+  Projection projection = Projection::Spherical;  ///< of `scan`
 };
 
 /// What a segmenter is given; the frame must outlive it.

@@ -4,12 +4,14 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <new>
+#include <vector>
 
 #include "datasets/atomic_file.h"
 #include "datasets/input_error.h"
@@ -131,10 +133,8 @@ void writeImage(const std::string& path, const Image<T>& image, int bit_depth, i
   });
 }
 
-}  // namespace
-
-Image<std::uint16_t> readGray16(const std::string& path) try {
-  const std::uintmax_t file_size = inputFileSize(path);
+File openPng(const std::string& path) {
+  inputFileSize(path);
   File file(std::fopen(path.c_str(), "rb"));
   if (!file) throw InputError(path, "file", std::strerror(errno));
   png_byte signature[8];
@@ -143,22 +143,77 @@ Image<std::uint16_t> readGray16(const std::string& path) try {
   if (got < sizeof signature || png_sig_cmp(signature, 0, sizeof signature) != 0)
     throw InputError(path, "signature", "is not a PNG file");
   std::rewind(file.get());
+  return file;
+}
 
-  Reader reader(file.get());
+void readCheckedHeader(const std::string& path, Reader& reader) {
   if (reader.info == nullptr) throw InputError(path, "PNG", "out of memory");
   if (!readHeader(reader)) throw InputError(path, "PNG header", reader.message);
-  if (reader.color_type != PNG_COLOR_TYPE_GRAY) throw InputError(path, "color type", "is not greyscale");
-  if (reader.bit_depth != 16)
-    throw InputError(path, "bit depth", "is " + std::to_string(reader.bit_depth) + ", not 16");
+}
+
+/// Reads the pixels behind the header, whose format fits T.
+template <typename T>
+Image<T> readImage(const std::string& path, Reader& reader) {
   if (static_cast<long>(reader.width) * static_cast<long>(reader.height) > kMostPixels)
     throw InputError(path, "size", "more than " + std::to_string(kMostPixels) + " pixels");
-  if (2 * static_cast<std::uintmax_t>(reader.width) * reader.height / kBestCompression > file_size)
+  if (sizeof(T) * static_cast<std::uintmax_t>(reader.width) * reader.height / kBestCompression > inputFileSize(path))
     throw InputError(path, "size", "the file is too short for so many pixels");
-
-  Image<std::uint16_t> image(static_cast<int>(reader.width), static_cast<int>(reader.height));
+  Image<T> image(static_cast<int>(reader.width), static_cast<int>(reader.height));
   auto rows = rowPointers(image);
   if (!readPixels(reader, rows.data())) throw InputError(path, "PNG data", reader.message);
   return image;
+}
+
+/// Each colour is a plane, in the order of the colours' numbers; black and white are none.
+LabelImage labelsFromColors(const std::string& path, const ColorImage& colors) {
+  const auto number = [](Rgb c) { return c.r << 16 | c.g << 8 | c.b; };
+  std::vector<int> planes;
+  for (const Rgb color : colors.data) planes.push_back(number(color));
+  std::sort(planes.begin(), planes.end());
+  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+  constexpr int black = 0, white = 0xffffff;
+  planes.erase(std::remove_if(planes.begin(), planes.end(), [](int n) { return n == black || n == white; }),
+               planes.end());
+  if (planes.size() >= kIgnoreLabel) throw InputError(path, "colours", "are too many to be labels");
+  LabelImage labels(colors.width, colors.height);
+  for (std::size_t i = 0; i < labels.data.size(); ++i) {
+    const auto at = std::lower_bound(planes.begin(), planes.end(), number(colors.data[i]));
+    if (at != planes.end() && *at == number(colors.data[i]))
+      labels.data[i] = static_cast<std::uint16_t>(at - planes.begin() + 1);
+  }
+  return labels;
+}
+
+}  // namespace
+
+Image<std::uint16_t> readGray16(const std::string& path) try {
+  const File file = openPng(path);
+  Reader reader(file.get());
+  readCheckedHeader(path, reader);
+  if (reader.color_type != PNG_COLOR_TYPE_GRAY) throw InputError(path, "color type", "is not greyscale");
+  if (reader.bit_depth != 16)
+    throw InputError(path, "bit depth", "is " + std::to_string(reader.bit_depth) + ", not 16");
+  return readImage<std::uint16_t>(path, reader);
+} catch (const std::bad_alloc&) {
+  throw InputError(path, "file", "needs more memory than there is");
+}
+
+LabelImage readLabelPng(const std::string& path) try {
+  const File file = openPng(path);
+  Reader reader(file.get());
+  readCheckedHeader(path, reader);
+  const bool one_number = reader.color_type == PNG_COLOR_TYPE_GRAY || reader.color_type == PNG_COLOR_TYPE_PALETTE;
+  if (!one_number && reader.color_type != PNG_COLOR_TYPE_RGB)
+    throw InputError(path, "color type", "is neither grey, palette nor RGB");
+  if (reader.bit_depth != 8 && !(reader.bit_depth == 16 && reader.color_type == PNG_COLOR_TYPE_GRAY))
+    throw InputError(path, "bit depth",
+                     "is " + std::to_string(reader.bit_depth) + ", not 8" + (one_number ? " or 16 grey" : ""));
+  if (reader.bit_depth == 16) return readImage<std::uint16_t>(path, reader);
+  if (!one_number) return labelsFromColors(path, readImage<Rgb>(path, reader));
+  const auto bytes = readImage<std::uint8_t>(path, reader);
+  LabelImage labels(bytes.width, bytes.height);
+  std::copy(bytes.data.begin(), bytes.data.end(), labels.data.begin());
+  return labels;
 } catch (const std::bad_alloc&) {
   throw InputError(path, "file", "needs more memory than there is");
 }

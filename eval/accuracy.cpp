@@ -50,7 +50,7 @@ Sources openDatasets(const std::string& folder, std::vector<std::string>& proble
     const std::string path = (std::filesystem::path(folder) / name).string();
     try {
       if (name == kScans)
-        sources.push_back(std::make_unique<SynpebFolder>(path));
+        sources.push_back(std::make_unique<LabelledCloudFolder>(path));
       else
         sources.push_back(std::make_unique<NativeFolder>(path));
     } catch (const InputError& error) {

@@ -56,7 +56,7 @@ bool EvalRun::openDatasets() {
       return false;
     }
     try {
-      sources_.push_back(std::make_unique<NativeFolder>(folder));
+      sources_.push_back(openDataset(folder));
     } catch (const InputError& error) {
       ++unusable_datasets_;
       note(error.what());

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of the files of a folder by their ending, numbers in numeric order.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace epcc {
+
+/// True if `text` ends in `ending`.
+bool endsIn(const std::string& text, const std::string& ending);
+/// True if numbers within the names put `a` before `b`: "2" before "10".
+bool naturallyBefore(const std::string& a, const std::string& b);
+
+/// Names, without the ending, of the files in `folder` that end in it, in natural order. InputError if the folder
+/// cannot be listed.
+std::vector<std::string> filesEndingIn(const std::string& folder, const std::string& ending);
+/// The first such file met, whole path; empty if there is none or the folder cannot be listed.
+std::string anyFileEndingIn(const std::string& folder, const std::string& ending);
+
+}  // namespace epcc
