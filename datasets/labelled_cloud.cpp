@@ -37,6 +37,13 @@ std::uint16_t synpebLabel(float value) {
                                                                                 : kIgnoreLabel;
 }
 
+/// An intensity that was measured is no label.
+void checkWhole(const std::string& path, const std::string& field, const std::vector<float>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::isfinite(values[i]) && values[i] != std::floor(values[i]))
+      throw InputError(path, field, "of point " + std::to_string(i) + " is not a whole number, so it is no label");
+}
+
 float measured(const float* p, Projection projection) {
   if (!std::isfinite(p[0] + p[1] + p[2])) return 0.0F;
   if (projection == Projection::Spherical) return std::hypot(p[0], p[1], p[2]);
@@ -51,6 +58,7 @@ LabelledFrame readLabelledCloud(const std::string& folder, const std::string& na
   const std::string field = labelField(path);
   const bool synpeb = field == kIntensity;
   OrganizedCloud cloud = readOrganizedPcd(path, field);
+  checkWhole(path, field, cloud.label);
   LabelledFrame frame;
   frame.name = name;
   if (synpeb) frame.camera.noise = kSynpebNoise;

@@ -10,11 +10,15 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/camera_json.h"
+#include "datasets/npy_labels.h"
 #include "datasets/organized_pcd.h"
 #include "datasets/png_io.h"
+#include "datasets/sun_raster.h"
 #include "mutator.h"
+#include "npy_bytes.h"
 #include "pcd_text.h"
 #include "png_bytes.h"
+#include "segcomp_files.h"
 #include "temp_folder.h"
 
 namespace epcc {
@@ -146,6 +150,33 @@ TEST_F(FuzzTest, CompressedPcdWithBackReferences) {
     test::append(bytes, static_cast<std::uint32_t>(payload.size()));
     bytes += good.substr(header + 4, 4) + payload;
   });
+}
+
+TEST_F(FuzzTest, LabelPngOfColours) {
+  test::PngRecipe recipe;
+  recipe.width = 6;
+  recipe.height = 5;
+  recipe.bit_depth = 8;
+  recipe.color_type = 2;
+  for (int row = 0; row < 5; ++row) recipe.scan_lines += std::string(1, '\0') + std::string(18, static_cast<char>(row));
+  const auto read = [](const std::string& file) {
+    for (const std::uint16_t label : readLabelPng(file).data) ASSERT_NE(label, kIgnoreLabel);
+  };
+  fuzz(test::pngBytes(recipe), read, repairPng);
+}
+
+TEST_F(FuzzTest, SunRaster) {
+  test::SunRecipe recipe;
+  recipe.width = 7;
+  recipe.height = 6;
+  recipe.map_length = 9;
+  fuzz(test::sunHeader(recipe) + std::string(9 + 8 * 6, '\x0b'),
+       [](const std::string& file) { ASSERT_FALSE(readSegcompLabels(file).empty()); });
+}
+
+TEST_F(FuzzTest, NpyLabels) {
+  fuzz(test::npyFile(test::npyHeader("<f8", "(3, 4)"), test::rawBytes(std::vector<double>(12, 7.0))),
+       [](const std::string& file) { ASSERT_EQ(readNpyLabels(file, 4, 3).data.size(), 12U); });
 }
 
 }  // namespace
