@@ -48,7 +48,7 @@ const char kPlanesFolder[] = "planes";
 constexpr int kWidth = 640, kHeight = 480;
 // The colour camera's calibration of the data set's toolbox; depth is registered to it.
 constexpr PinholeCamera kCamera = {kWidth, kHeight, 518.85790117, 519.46961112, 325.58244941, 253.73616633};
-constexpr float kFarthest = 9.99F;  // metres; the toolbox gives what it cannot tell the distance 10 m
+constexpr float kFarthest = 9.99F;  // metres; the data set's toolbox clamps at 10 m
 
 class NyuMat : public FrameSource {
  public:

@@ -123,7 +123,7 @@ TEST_F(NyuMat, WhatWasMeasuredGoesBeforeWhatWasFilledIn) {
   }
   const LabelledFrame frame = openDataset(folder())->read(0);
   EXPECT_EQ(frame.depth.at(0, 3), 0.0F);
-  EXPECT_EQ(frame.depth.at(1, 3), 0.0F) << "10 m is the toolbox's word for unknown";
+  EXPECT_EQ(frame.depth.at(1, 3), 0.0F) << "clamped";
   EXPECT_EQ(frame.depth.at(2, 3), 2.0F);
   EXPECT_TRUE(frame.labels.empty());
 }
