@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 #include "datasets/input_error.h"
 
@@ -26,6 +27,10 @@ std::string takeDigits(const std::string& text, std::size_t& at) {
   const std::string digits = text.substr(at, end - at);
   at = end;
   return digits;
+}
+
+NameTest withEnding(const std::string& ending) {
+  return [ending](const std::string& file) { return file.size() > ending.size() && endsIn(file, ending); };
 }
 
 }  // namespace
@@ -51,30 +56,37 @@ bool naturallyBefore(const std::string& a, const std::string& b) {
   return a < b;  // "01" and "1"
 }
 
-std::vector<std::string> filesEndingIn(const std::string& folder, const std::string& ending) {
+std::vector<std::string> filesThat(const std::string& folder, const NameTest& pass) {
   std::error_code code;
   fs::directory_iterator entries(folder, code);
   if (code) throw InputError(folder, "folder", code.message());
   std::vector<std::string> names;
   for (; entries != fs::directory_iterator(); entries.increment(code)) {
-    const std::string file = entries->path().filename().string();
-    if (file.size() > ending.size() && endsIn(file, ending))
-      names.push_back(file.substr(0, file.size() - ending.size()));
+    std::string file = entries->path().filename().string();
+    if (pass(file)) names.push_back(std::move(file));
   }
   if (code) throw InputError(folder, "folder", code.message());
   std::sort(names.begin(), names.end(), naturallyBefore);
   return names;
 }
 
-std::string anyFileEndingIn(const std::string& folder, const std::string& ending) {
+std::vector<std::string> filesEndingIn(const std::string& folder, const std::string& ending) {
+  std::vector<std::string> names = filesThat(folder, withEnding(ending));
+  for (std::string& name : names) name.resize(name.size() - ending.size());
+  return names;
+}
+
+std::string anyFileThat(const std::string& folder, const NameTest& pass) {
   std::error_code code;
   fs::directory_iterator entries(folder, code);
   if (code) return {};
-  for (; !code && entries != fs::directory_iterator(); entries.increment(code)) {
-    const std::string file = entries->path().filename().string();
-    if (file.size() > ending.size() && endsIn(file, ending)) return entries->path().string();
-  }
+  for (; !code && entries != fs::directory_iterator(); entries.increment(code))
+    if (pass(entries->path().filename().string())) return entries->path().string();
   return {};
+}
+
+std::string anyFileEndingIn(const std::string& folder, const std::string& ending) {
+  return anyFileThat(folder, withEnding(ending));
 }
 
 }  // namespace epcc

@@ -18,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char kRange[] = ".range";
 const char kLabels[] = ".gt-seg";
 const char kUnitFile[] = "perceptron.json";
 constexpr int kSide = 512;
@@ -27,6 +26,15 @@ constexpr std::uintmax_t kLongestHeader = 4096;
 constexpr int kHeaderWords = 32;
 constexpr double kLongestUnit = 1.0;  // metres
 constexpr unsigned kRangeBits = 0xfff;
+
+/// perc.test.N or perc.train.N
+bool isScan(const std::string& file) {
+  for (const std::string prefix : {"perc.test.", "perc.train."})
+    if (file.size() > prefix.size() && file.rfind(prefix, 0) == 0 &&
+        file.find_first_not_of("0123456789", prefix.size()) == std::string::npos)
+      return true;
+  return false;
+}
 
 bool isBlank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
@@ -92,13 +100,12 @@ Eigen::Vector3d perceptronPoint(int row, int column, double range) {
 }
 
 bool isPerceptronFolder(const std::string& folder) {
-  const std::string file = anyFileEndingIn(folder, kRange);
-  return !file.empty() && !isSunRaster(file);
+  return !anyFileThat(folder, isScan).empty();
 }
 
 PerceptronFolder::PerceptronFolder(const std::string& folder)
-    : folder_(folder), dataset_(folderName(folder)), names_(filesEndingIn(folder, kRange)) {
-  if (names_.empty()) throw InputError(folder, "folder", "has no scan NAME.range");
+    : folder_(folder), dataset_(folderName(folder)), names_(filesThat(folder, isScan)) {
+  if (names_.empty()) throw InputError(folder, "folder", "has no scan perc.test.N or perc.train.N");
   const std::string unit = (fs::path(folder) / kUnitFile).string();
   std::error_code code;
   if (!fs::exists(unit, code))
@@ -110,7 +117,7 @@ PerceptronFolder::PerceptronFolder(const std::string& folder)
 LabelledFrame PerceptronFolder::read(std::size_t index) const {
   LabelledFrame frame;
   frame.name = names_.at(index);
-  const auto ranges = readRanges((fs::path(folder_) / (frame.name + kRange)).string());
+  const auto ranges = readRanges((fs::path(folder_) / frame.name).string());
   LabelImage labels;
   const std::string labels_path = (fs::path(folder_) / (frame.name + kLabels)).string();
   std::error_code code;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Perceptron laser scans of the SegComp comparison as distributed: NAME.range and NAME.gt-seg.
+// The Perceptron laser scans of the SegComp comparison as distributed: perc.test.N and perc.test.N.gt-seg.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,11 +14,11 @@ namespace epcc {
 /// y up, z forward.
 Eigen::Vector3d perceptronPoint(int row, int column, double range);
 
-/// True if the folder has a NAME.range that is no Sun raster.
+/// True if the folder has a scan, perc.test.N or perc.train.N.
 bool isPerceptronFolder(const std::string& folder);
 
-/// Frames NAME.range in the order of their numbers; those without NAME.gt-seg are unlabelled. The files do not say how
-/// long a unit of the calibration is: perceptron.json in the folder must, as "metres_per_unit".
+/// Scans in the order of their numbers; those without NAME.gt-seg are unlabelled. The files do not say how long a unit
+/// of the calibration is: perceptron.json in the folder must, as "metres_per_unit".
 ///
 /// The rows of a scan are planar sections, its columns cones. A spherical scan has it the other way round, so a frame
 /// is the scan turned by a quarter: pixel (row, column) of the scan is at row `column`, column 511 - `row` of the

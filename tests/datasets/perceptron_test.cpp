@@ -33,7 +33,9 @@ TEST_F(Perceptron, GeometryIsThatOfTheComparison) {
 
 TEST_F(Perceptron, FrameIsTheScanTurnedByAQuarter) {
   writeUnit();
-  write("perc.test.0.range", perceptronScan([](int row, int column) { return row == 7 && column == 3 ? 0 : 900; }));
+  write("perc.test.0.Z", "");
+  write("perc.test.x", "");
+  write("perc.test.0", perceptronScan([](int row, int column) { return row == 7 && column == 3 ? 0 : 900; }));
   write("perc.test.0.gt-seg",
         sunRaster([](int row, int column) { return row == 20 && column == 40 ? 9 : 10 + row / 256; }));
   const LabelledFrame frame = only();
@@ -71,9 +73,9 @@ struct Corner {
 TEST_F(Perceptron, PlanesOfAScannedCornerAreFound) {
   const Corner corner;
   writeUnit();
-  write("a.range",
+  write("perc.train.12",
         perceptronScan([&](int r, int c) { return static_cast<int>(std::lround(corner.seen(r, c).first)); }));
-  write("a.gt-seg", sunRaster([&](int r, int c) { return 10 * corner.seen(r, c).second; }));
+  write("perc.train.12.gt-seg", sunRaster([&](int r, int c) { return 10 * corner.seen(r, c).second; }));
   const auto frames = openDataset(folder());
   const LabelledFrame frame = frames->read(0);
   ASSERT_EQ((std::set<std::uint16_t>(frame.labels.data.begin(), frame.labels.data.end())),
@@ -98,7 +100,7 @@ TEST_F(Perceptron, PlanesOfAScannedCornerAreFound) {
 }
 
 TEST_F(Perceptron, LengthOfAUnitMustBeSaid) {
-  write("a.range", perceptronScan([](int, int) { return 1; }));
+  write("perc.train.12", perceptronScan([](int, int) { return 1; }));
   EXPECT_TRUE(isPerceptronFolder(folder()));
   const auto open = [&] { openDataset(folder()); };
   expectInputError(open, path("perceptron.json"), "file", "metres_per_unit");
@@ -112,13 +114,13 @@ TEST_F(Perceptron, OtherFilesAreErrors) {
   writeUnit();
   const std::string good = perceptronScan([](int, int) { return 1; });
   const auto read = [&] { only(); };
-  const std::string file = write("a.range", good.substr(0, 1000));
+  const std::string file = write("perc.train.12", good.substr(0, 1000));
   expectInputError(read, file, "data", "shorter");
-  write("a.range", good + std::string(10000, ' '));
+  write("perc.train.12", good + std::string(10000, ' '));
   expectInputError(read, file, "data", "longer");
-  write("a.range", "word " + good);
+  write("perc.train.12", "word " + good);
   expectInputError(read, file, "header", "Perceptron");
-  write("a.range", good.substr(1) + "x");
+  write("perc.train.12", good.substr(1) + "x");
   expectInputError(read, file, "header", "Perceptron");
 }
 
