@@ -14,12 +14,15 @@ namespace epcc {
 
 namespace {
 
+constexpr const char* kPrefix = ".epcc-";
+constexpr const char* kSuffix = ".tmp";
+
 /// A hidden name in the same folder that no other process, on this machine or another, uses at the same time. It does
 /// not grow with the target's name, which may be as long as the file system allows.
 std::string temporaryName(const std::filesystem::path& folder) {
   std::random_device random;
-  std::string name = ".epcc-";
-  for (int i = 0; i < 4; ++i) name += std::to_string(random()) + (i < 3 ? "-" : ".tmp");
+  std::string name = kPrefix;
+  for (int i = 0; i < 4; ++i) name += std::to_string(random()) + (i < 3 ? "-" : kSuffix);
   return (folder / name).string();
 }
 
@@ -53,6 +56,19 @@ void writeTextFile(const std::string& path, const std::string& text) {
     out.close();
     if (!out) throw OutputError(path, "file", std::strerror(errno));
   });
+}
+
+void removeTemporaries(const std::string& folder, bool below) {
+  namespace fs = std::filesystem;
+  std::error_code code;
+  fs::recursive_directory_iterator entry(folder, code);
+  for (const fs::recursive_directory_iterator end; !code && entry != end; entry.increment(code)) {
+    if (!below) entry.disable_recursion_pending();
+    const std::string name = entry->path().filename().string();
+    if (name.rfind(kPrefix, 0) != 0 || entry->path().extension() != kSuffix) continue;
+    std::error_code ignored;
+    fs::remove(entry->path(), ignored);
+  }
 }
 
 }  // namespace epcc

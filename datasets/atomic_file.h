@@ -14,4 +14,8 @@ void writeAtomically(const std::string& path, const std::function<void(const std
 /// Writes a text the same way.
 void writeTextFile(const std::string& path, const std::string& text);
 
+/// Removes what processes that were killed while writing have left in a folder and, with `below`, in those below it.
+/// Nobody may be writing there.
+void removeTemporaries(const std::string& folder, bool below);
+
 }  // namespace epcc

@@ -54,8 +54,8 @@ void runGroup(const MethodGroup& group, const ComparisonOptions& options,
   std::vector<Method> methods;
   for (const std::string& name : group.methods)
     methods.push_back(registeredMethod(name, parametersOf(picture.scene, options.parameters)));
-  std::vector<FrameJob> jobs = listJobs(sources);
-  jobs.resize(static_cast<std::size_t>(group.seeds));
+  FrameJobs jobs = listJobs(sources);
+  jobs.keepFirst(static_cast<std::size_t>(group.seeds));
   const std::string first = sources[0]->name(0);
   const auto keep = [&](const FrameResult& result) {
     if (result.file_name != first || result.segmentations.empty()) return;  // true in one thread only

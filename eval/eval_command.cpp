@@ -4,48 +4,47 @@
 
 #include <unistd.h>
 
-#include <filesystem>
+#include <optional>
 #include <ostream>
 #include <set>
 
-#include "datasets/atomic_file.h"
 #include "datasets/input_error.h"
 #include "eval/eval_progress.h"
 #include "eval/evaluation_files.h"
 #include "eval/evaluation_report.h"
+#include "eval/merge_command.h"
+#include "eval/problem_list.h"
+#include "eval/run_folder.h"
+#include "eval/run_report.h"
 #include "eval/segment_options.h"
 
 namespace epcc {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// The run as it goes: sums, rows of frames.csv, problems on `err` and for the report.
+/// The run as it goes: data sets, problems on `err`, results in --out or, without it, sums.
 class EvalRun {
  public:
-  EvalRun(const EvalOptions& options, std::ostream& err) : options_(options), err_(err), frames_(emptyFramesTable()) {}
+  EvalRun(const EvalOptions& options, std::ostream& err) : options_(options), err_(err) {}
 
   /// False if two data sets cannot be told apart.
   bool openDatasets();
-  void score();
-  void writeReport() const;
-  int exitCode();
-
-  const ExperimentSummary& summary() const { return summary_; }
+  /// The sums over all results, those found in --out included. A refusal is reported and gives nothing.
+  std::optional<ExperimentSummary> run();
+  int exitCode(const ExperimentSummary& summary);
 
  private:
   void say(const std::string& line) { err_ << "epcc_eval: " << printable(line, 2000) << '\n'; }
   void note(const std::string& problem);
-  void take(const std::vector<FrameRecord>& records);
   std::vector<Method> methods() const;
+  FrameJobs shardJobs() const;
+  void score(const FrameJobs& jobs, const FrameDone& done, ExperimentSummary* summary);
+  ExperimentSummary runInMemory();
+  std::optional<ExperimentSummary> runInFolder();
 
   const EvalOptions& options_;
   std::ostream& err_;
   std::vector<std::unique_ptr<FrameSource>> sources_;
-  ExperimentSummary summary_;
-  Table frames_;
-  std::vector<std::string> problems_;
-  std::size_t unusable_datasets_ = 0;
+  std::vector<std::string> unusable_;  ///< data sets that could not be opened: why
 };
 
 bool EvalRun::openDatasets() {
@@ -58,7 +57,6 @@ bool EvalRun::openDatasets() {
     try {
       sources_.push_back(openDataset(folder));
     } catch (const InputError& error) {
-      ++unusable_datasets_;
       note(error.what());
     }
   }
@@ -66,20 +64,8 @@ bool EvalRun::openDatasets() {
 }
 
 void EvalRun::note(const std::string& problem) {
-  problems_.push_back(problem);
+  unusable_.push_back(problem);
   say(problem);
-}
-
-// A frame that cannot be read is one problem, not one for each method.
-void EvalRun::take(const std::vector<FrameRecord>& records) {
-  std::string last;
-  for (const FrameRecord& record : records) {
-    summary_.add(record);
-    addFrameRow(record, frames_);
-    if (!record.error.empty() && record.error != last)
-      note(record.dataset + "/" + record.frame + ": " + record.method + ": " + record.error);
-    last = record.error;
-  }
 }
 
 std::vector<Method> EvalRun::methods() const {
@@ -89,47 +75,66 @@ std::vector<Method> EvalRun::methods() const {
   return methods;
 }
 
-void EvalRun::score() {
-  const std::vector<FrameJob> jobs = listJobs(sources_);
+FrameJobs EvalRun::shardJobs() const {
+  FrameJobs jobs = listJobs(sources_);
+  jobs.keepIf([this](const FrameJob& job) { return options_.shard.holds(job.position); });
+  return jobs;
+}
+
+void EvalRun::score(const FrameJobs& jobs, const FrameDone& done, ExperimentSummary* summary) {
   EvalProgress progress(jobs.size(), err_, isatty(STDERR_FILENO) != 0);
-  std::size_t done = 0;
-  const auto write = [&](const FrameResult& result) {
-    if (options_.out.empty()) return;
-    writeLabelImages(options_.out, result);
-    if (options_.overlays) writeOverlays(options_.out, result);
-  };
+  std::size_t frames = 0;
   const auto in_order = [&](const std::vector<FrameRecord>& records) {
     progress.clear();
-    take(records);
-    progress.show(++done);
+    for (const std::string& problem : frameProblems(records)) say(problem);
+    if (summary != nullptr)
+      for (const FrameRecord& record : records) summary->add(record);
+    progress.show(++frames);
   };
   progress.show(0);
-  runExperiment(jobs, methods(), {options_.noise, options_.jobs}, write, in_order);
+  runExperiment(jobs, methods(), {options_.noise, options_.jobs}, done, in_order);
   progress.clear();
 }
 
-void EvalRun::writeReport() const {
-  const auto path = [this](const char* name) { return (fs::path(options_.out) / name).string(); };
-  writeTextFile(path("summary.json"), summaryJson(summary_.rows()));
-  writeTextFile(path("frames.csv"), csvTable(frames_));
-  writeTextFile(path("summary.md"), summaryMarkdown(summary_, problems_));
+std::optional<ExperimentSummary> EvalRun::run() {
+  if (options_.out.empty()) return runInMemory();
+  return runInFolder();
 }
 
-int EvalRun::exitCode() {
-  const long scored = summary_.scored();
-  const long errors = summary_.errors() + static_cast<long>(unusable_datasets_);
-  if (errors > 0)
-    say(std::to_string(errors) + (errors == 1 ? " error, " : " errors, ") + std::to_string(scored) +
-        (scored == 1 ? " result scored" : " results scored"));
-  if (scored == 0) return kExitInput;
-  return options_.strict && errors > 0 ? kExitInput : kExitDone;
+ExperimentSummary EvalRun::runInMemory() {
+  ExperimentSummary summary;
+  score(shardJobs(), {}, &summary);
+  return summary;
 }
 
-void makeFolder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!fs::is_directory(folder))
-    throw OutputError(folder, "folder", "cannot be made" + (error ? ", " + error.message() : std::string()));
+// A frame's record is written last: where there is one, the frame's other files are there too.
+std::optional<ExperimentSummary> EvalRun::runInFolder() {
+  RunFolder folder(options_.out);
+  const RunDescription description = describeRun(options_, sources_, unusable_);
+  const std::string refusal = folder.begin(description, options_.resume);
+  if (!refusal.empty()) {
+    say(refusal);
+    return std::nullopt;
+  }
+  FrameJobs jobs = shardJobs();
+  if (options_.resume)
+    jobs.keepIf([&](const FrameJob& job) { return !loadFrame(options_.out, job.source->dataset(), job.index); });
+  const auto store = [&](const FrameResult& result) {
+    writeLabelImages(options_.out, result);
+    if (options_.overlays) writeOverlays(options_.out, result);
+    storeFrame(options_.out, {result.index, result.file_name, result.records});
+  };
+  score(jobs, store, nullptr);
+  return writeRunReport(options_.out, StoredResults(options_.out, description));
+}
+
+int EvalRun::exitCode(const ExperimentSummary& summary) {
+  const long errors = summary.errors() + static_cast<long>(unusable_.size());
+  const std::string counts = countsOfErrors(errors, summary.scored());
+  if (!counts.empty()) say(counts);
+  // A shard may hold broken frames only, or none: whether anything was scored is for the merger to say.
+  if (options_.shard.count > 1 && !sources_.empty()) return options_.strict && errors > 0 ? kExitInput : kExitDone;
+  return exitCodeOf(errors, summary.scored(), options_.strict);
 }
 
 }  // namespace
@@ -138,12 +143,14 @@ int runEval(const EvalOptions& options, std::ostream& out, std::ostream& err) {
   try {
     EvalRun run(options, err);
     if (!run.openDatasets()) return kExitUsage;
-    if (!options.out.empty()) makeFolder(options.out);
-    run.score();
-    if (!options.out.empty()) run.writeReport();
-    out << summaryText(run.summary()) << std::flush;
+    const std::optional<ExperimentSummary> summary = run.run();
+    if (!summary) return kExitUsage;
+    out << summaryText(*summary) << std::flush;
     if (!out) throw OutputError("standard output", "tables", "cannot be written");
-    return run.exitCode();
+    return run.exitCode(*summary);
+  } catch (const InputError& error) {
+    err << "epcc_eval: " << error.what() << '\n';
+    return kExitInput;
   } catch (const OutputError& error) {
     err << "epcc_eval: " << error.what() << '\n';
     return kExitOutput;
@@ -151,6 +158,7 @@ int runEval(const EvalOptions& options, std::ostream& out, std::ostream& err) {
 }
 
 int evalMain(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  if (argc > 1 && std::string(argv[1]) == "merge") return mergeMain(argc - 1, argv + 1, out, err);
   EvalOptions options;
   const std::optional<int> done = parseEvalOptions(argc, argv, options, out, err);
   return done ? *done : runEval(options, out, err);

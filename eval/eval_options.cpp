@@ -23,14 +23,16 @@ constexpr const char* kDescription =
     "DATASET is a folder of frames NAME_depth.png, NAME_labels.png, NAME.json; its name is the folder's.";
 
 constexpr const char* kFooter =
-    "Exit codes: 0 done (frames that could not be scored are counted and named), 2 wrong usage, 3 no frame could be\n"
-    "scored or, with --strict, any could not, 4 an output could not be written.";
+    "epcc_eval merge DIR... --out DIR joins shards; see epcc_eval merge --help.\n"
+    "Exit codes: 0 done (frames that could not be scored are counted and named), 2 wrong usage or --out holds another\n"
+    "run, 3 no frame could be scored or, with --strict, any could not, 4 an output could not be written.";
 
 /// The options as typed.
 struct RawOptions {
   std::vector<std::string> datasets;
   std::vector<std::string> predictions;
   std::string methods;
+  std::string shard = "1/1";
 };
 
 std::string joined(const std::vector<std::string>& words) {
@@ -98,6 +100,10 @@ void settle(const RawOptions& raw, EvalOptions& options) {
   require(!options.datasets.empty(), "name at least one DATASET");
   require(!options.methods.empty() || !options.predictions.empty(), "there is no method to score");
   require(!options.overlays || !options.out.empty(), "--overlays needs --out");
+  require(!options.resume || !options.out.empty(), "--resume needs --out");
+  const std::optional<Shard> shard = parseShard(raw.shard);
+  require(shard.has_value(), "--shard: '" + raw.shard + "' is not I/N with I from 1 to N");
+  options.shard = *shard;
   keepPredictions(options);
   if (options.jobs == 0) options.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   if (options.noise.empty()) return;
@@ -115,11 +121,14 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
   app.add_option("--noise", options.noise,
                  "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | auto (else the frame's own, else auto)")
       ->type_name("NOISE");
-  app.add_option("--out", options.out, "Folder for summary.json, summary.md, frames.csv and labels/METHOD/")
+  app.add_option("--out", options.out, "Folder for the report, the results frame by frame, and labels/METHOD/")
       ->type_name("DIR");
   app.add_option("--jobs", options.jobs, "Frames at a time, 0 = one a core (1; more disturb the times)")
       ->type_name("J")
       ->check(CLI::Range(0, 1024));
+  app.add_option("--shard", raw.shard, "Only part I of N: every N-th frame from the I-th on; see epcc_eval merge")
+      ->type_name("I/N");
+  app.add_flag("--resume", options.resume, "Go on with the run in --out; what is done stays");
   app.add_flag("--overlays", options.overlays, "A picture of each frame: depth, truth, every method");
   app.add_flag("--strict", options.strict, "Exit code 3 if any frame could not be scored");
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "epcc_segmentation/sensor_model.h"
+#include "eval/shard.h"
 
 namespace epcc {
 
@@ -25,6 +25,8 @@ struct EvalOptions {
   std::string noise;  ///< sensor model as on the command line; empty: the frame's own, else auto
   std::string out;    ///< folder; empty: the tables are printed only
   int jobs = 1;
+  Shard shard;          ///< the part of the frames to be done
+  bool resume = false;  ///< go on with the results in `out`
   bool overlays = false;
   bool strict = false;
 };

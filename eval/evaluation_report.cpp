@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "eval/measure_fields.h"
+
 namespace epcc {
 
 namespace {
@@ -16,31 +18,16 @@ constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 using Counts = std::vector<std::pair<const char*, long>>;
 
 /// The counts of summary.json in its order.
-Counts countsOf(long frames, long errors, const FrameMeasures& m) {
-  return {{"frames", frames},
-          {"errors", errors},
-          {"N", m.paper.surfaces},
-          {"IC", m.paper.clusters},
-          {"D", m.paper.detected},
-          {"No", m.paper.over_segmented},
-          {"Nu", m.paper.under_segmented},
-          {"correct", m.segcomp.correct},
-          {"over", m.segcomp.over},
-          {"under", m.segcomp.under},
-          {"missed", m.segcomp.missed},
-          {"noise", m.segcomp.noise}};
+Counts countsOf(long frames, long errors, const FrameMeasures& measures) {
+  Counts counts = {{"frames", frames}, {"errors", errors}};
+  for (const MeasureField& field : countFields()) counts.emplace_back(field.name, valueOf(field, measures));
+  return counts;
 }
 
-/// Sums that only frames.csv has: with them every ratio of the summary can be made from the frames.
-Counts furtherCounts(const FrameMeasures& m) {
-  return {{"matched", m.instances.matched},
-          {"iou_sum_millionths", m.instances.iou_millionths},
-          {"dice_sum_millionths", m.instances.dice_millionths},
-          {"plane_pixels", m.instances.plane_pixels},
-          {"dominated_pixels", m.instances.dominated_pixels},
-          {"compared_planes", m.planes.planes},
-          {"normal_error_sum_microdegrees", m.planes.microdegrees},
-          {"offset_error_sum_micrometres", m.planes.micrometres}};
+Counts furtherCounts(const FrameMeasures& measures) {
+  Counts counts;
+  for (const MeasureField& field : furtherFields()) counts.emplace_back(field.name, valueOf(field, measures));
+  return counts;
 }
 
 void addTitles(const Counts& counts, Table& table) {
@@ -78,6 +65,15 @@ std::vector<std::string> ratesOf(const SummaryRow& row) {
           share(instances.coverage()),
           numberCell(row.measures.planes.meanNormalDegrees(), 2, "-"),
           numberCell(1e3 * row.measures.planes.meanOffsetMetres(), 1, "-")};
+}
+
+std::vector<std::string> frameCells(const FrameRecord& record) {
+  std::vector<std::string> cells = {record.dataset, record.frame, record.method};
+  addCells(countsOf(1, record.error.empty() ? 0 : 1, record.measures), cells);
+  cells.push_back(milliseconds(record.ms, ""));
+  cells.push_back(record.error);
+  addCells(furtherCounts(record.measures), cells);
+  return cells;
 }
 
 /// The rows and, for several data sets, the totals below them.
@@ -139,12 +135,11 @@ Table emptyFramesTable() {
 }
 
 void addFrameRow(const FrameRecord& record, Table& table) {
-  std::vector<std::string> cells = {record.dataset, record.frame, record.method};
-  addCells(countsOf(1, record.error.empty() ? 0 : 1, record.measures), cells);
-  cells.push_back(milliseconds(record.ms, ""));
-  cells.push_back(record.error);
-  addCells(furtherCounts(record.measures), cells);
-  table.rows.push_back(cells);
+  table.rows.push_back(frameCells(record));
+}
+
+std::string frameLine(const FrameRecord& record) {
+  return csvLine(frameCells(record));
 }
 
 std::string summaryMarkdown(const ExperimentSummary& summary, const std::vector<std::string>& problems) {

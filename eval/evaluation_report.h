@@ -21,6 +21,8 @@ Table ratesTable(const std::vector<SummaryRow>& rows);
 /// One row a frame and method, to be filled row by row.
 Table emptyFramesTable();
 void addFrameRow(const FrameRecord& record, Table& table);
+/// The same row alone, as a line of frames.csv.
+std::string frameLine(const FrameRecord& record);
 
 /// Both tables, totals if there are several data sets, and the errors by name.
 std::string summaryMarkdown(const ExperimentSummary& summary, const std::vector<std::string>& problems);

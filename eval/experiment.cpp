@@ -7,7 +7,6 @@
 #include <exception>
 #include <map>
 #include <mutex>
-#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -72,26 +71,11 @@ Method importedMethod(const std::string& name, const std::string& folder) {
   return {name, [name, folder] { return std::make_unique<ImportedLabelsSegmenter>(name, folder); }, false};
 }
 
-std::vector<FrameJob> listJobs(const std::vector<std::unique_ptr<FrameSource>>& sources) {
-  std::map<std::string, int> uses;
-  for (const auto& source : sources) {
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < source->size(); ++i) names.insert(source->name(i));
-    for (const std::string& name : names) ++uses[name];
-  }
-  std::vector<FrameJob> jobs;
-  for (const auto& source : sources)
-    for (std::size_t i = 0; i < source->size(); ++i) {
-      const std::string name = source->name(i);
-      jobs.push_back({source.get(), i, uses[name] > 1 ? source->dataset() + "/" + name : name});
-    }
-  return jobs;
-}
-
 FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& methods,
                           const std::vector<std::unique_ptr<PlaneSegmenter>>& segmenters,
                           const ExperimentOptions& options) {
   FrameResult result;
+  result.index = job.index;
   result.file_name = job.file_name;
   for (const Method& method : methods)
     result.records.push_back({job.source->dataset(), job.source->name(job.index), method.name, {}, {}, {}});
@@ -117,8 +101,8 @@ FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& method
   return result;
 }
 
-void runExperiment(const std::vector<FrameJob>& jobs, const std::vector<Method>& methods,
-                   const ExperimentOptions& options, const FrameDone& done, const FrameInOrder& in_order) {
+void runExperiment(const FrameJobs& jobs, const std::vector<Method>& methods, const ExperimentOptions& options,
+                   const FrameDone& done, const FrameInOrder& in_order) {
   InOrder sorter(in_order);
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;

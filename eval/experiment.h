@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "baselines/registry.h"
+#include "eval/frame_jobs.h"
 #include "eval/frame_measures.h"
-#include "eval/frame_source.h"
 
 namespace epcc {
 
@@ -36,19 +36,9 @@ struct FrameRecord {
   std::string error;         ///< empty if the frame was scored
 };
 
-/// One frame of a source, to be done by every method.
-struct FrameJob {
-  const FrameSource* source = nullptr;
-  std::size_t index = 0;
-  /// Files of the frame are named after it: NAME, or DATASET/NAME where several sources have a frame NAME.
-  std::string file_name;
-};
-
-/// Every frame of every source in order; the sources must outlive the jobs.
-std::vector<FrameJob> listJobs(const std::vector<std::unique_ptr<FrameSource>>& sources);
-
 /// A frame with everything that was done to it; records and segmentations in the order of the methods.
 struct FrameResult {
+  std::size_t index = 0;  ///< in its source
   std::string file_name;
   LabelledFrame frame;  ///< empty after a reading error
   std::vector<FrameRecord> records;
@@ -72,7 +62,7 @@ using FrameDone = std::function<void(const FrameResult&)>;
 using FrameInOrder = std::function<void(const std::vector<FrameRecord>&)>;
 
 /// Does all jobs. Either function may be empty.
-void runExperiment(const std::vector<FrameJob>& jobs, const std::vector<Method>& methods,
-                   const ExperimentOptions& options, const FrameDone& done, const FrameInOrder& in_order);
+void runExperiment(const FrameJobs& jobs, const std::vector<Method>& methods, const ExperimentOptions& options,
+                   const FrameDone& done, const FrameInOrder& in_order);
 
 }  // namespace epcc

@@ -6,19 +6,11 @@
 
 namespace epcc {
 
-std::optional<double> SummaryRow::medianMs() const {
-  if (times_ms.empty()) return std::nullopt;
-  std::vector<double> sorted = times_ms;
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t middle = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
-}
-
 SummaryRow& SummaryRow::operator+=(const SummaryRow& other) {
   frames += other.frames;
   errors += other.errors;
   measures += other.measures;
-  times_ms.insert(times_ms.end(), other.times_ms.begin(), other.times_ms.end());
+  times += other.times;
   return *this;
 }
 
@@ -32,7 +24,7 @@ void ExperimentSummary::add(const FrameRecord& record) {
     return;
   }
   row.measures += record.measures;
-  if (record.ms) row.times_ms.push_back(*record.ms);
+  if (record.ms) row.times.add(*record.ms);
 }
 
 std::vector<SummaryRow> ExperimentSummary::totals() const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "eval/experiment.h"
+#include "eval/time_counts.h"
 
 namespace epcc {
 
@@ -18,9 +19,9 @@ struct SummaryRow {
   long frames = 0;  ///< all frames, those with errors included
   long errors = 0;  ///< frames without a score; they add to no other number
   FrameMeasures measures;
-  std::vector<double> times_ms;  ///< of the frames that have one
+  TimeCounts times;  ///< of the frames that have one
 
-  std::optional<double> medianMs() const;
+  std::optional<double> medianMs() const { return times.medianMs(); }
   SummaryRow& operator+=(const SummaryRow& other);
 };
 

@@ -129,9 +129,13 @@ std::string markdownTable(const Table& table) {
   return text;
 }
 
+std::string csvLine(const std::vector<std::string>& cells) {
+  return join(cells, ",", quoteCsv) + '\n';
+}
+
 std::string csvTable(const Table& table) {
-  std::string text = join(titles(table), ",", quoteCsv) + '\n';
-  for (const Cells& row : table.rows) text += join(padded(table, row), ",", quoteCsv) + '\n';
+  std::string text = csvLine(titles(table));
+  for (const Cells& row : table.rows) text += csvLine(padded(table, row));
   return text;
 }
 

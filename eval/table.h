@@ -28,6 +28,8 @@ std::string textTable(const Table& table);
 std::string markdownTable(const Table& table);
 /// RFC 4180 quoting, lines end with a line feed.
 std::string csvTable(const Table& table);
+/// One line of it.
+std::string csvLine(const std::vector<std::string>& cells);
 /// A tabular environment with \hline; special characters are escaped.
 std::string latexTable(const Table& table);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "tiny_frames.h"
@@ -36,12 +37,20 @@ EvalToolTest::~EvalToolTest() {
   fs::remove_all(folder_, ignored);
 }
 
-EvalResult EvalToolTest::run(const std::vector<std::string>& arguments) const {
-  std::string command = "cd " + quoted(folder_.string()) + " && " + quoted(EPCC_EVAL);
+EvalResult EvalToolTest::runShell(const std::string& before, const std::vector<std::string>& arguments) const {
+  std::string command = "cd " + quoted(folder_.string()) + " && " + before + quoted(EPCC_EVAL);
   for (const std::string& argument : arguments) command += " " + quoted(argument);
   command += " >stdout 2>stderr </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout"), read("stderr")};
+}
+
+EvalResult EvalToolTest::run(const std::vector<std::string>& arguments) const {
+  return runShell("", arguments);
+}
+
+EvalResult EvalToolTest::runAndKill(const std::vector<std::string>& arguments, int milliseconds) const {
+  return runShell("timeout -s KILL " + std::to_string(1e-3 * milliseconds) + " ", arguments);
 }
 
 void EvalToolTest::expectFailure(const std::vector<std::string>& arguments, int exit_code,
@@ -88,6 +97,19 @@ std::vector<std::vector<std::string>> EvalToolTest::frames(const std::string& ou
     for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
   }
   return rows;
+}
+
+std::map<std::string, std::string> EvalToolTest::report(const std::string& out) const {
+  // Tables in text: the cell below "median_ms", the last of fifteen. CSV: the sixteenth; errors in the tests' frames
+  // come after it.
+  const std::pair<const char*, const char*> times[] = {
+      {"summary.json", R"("median_ms": [^\n]*)"},
+      {"summary.md", R"(((?:^|\n)\|(?: [^|\n]* \|){14}) [^|\n]* \|(?=\n))"},
+      {"frames.csv", R"(((?:^|\n)(?:[^,\n]*,){15})[^,\n]*)"}};
+  std::map<std::string, std::string> files;
+  for (const auto& [name, pattern] : times)
+    files[name] = std::regex_replace(read(out + "/" + name), std::regex(pattern), "$1");
+  return files;
 }
 
 }  // namespace epcc::test

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ class EvalToolTest : public ::testing::Test {
   /// The same, and checks for the exit code, one line on stderr with `words`, and nothing on stdout.
   void expectFailure(const std::vector<std::string>& arguments, int exit_code, const std::string& words) const;
 
+  /// Runs it and kills it (SIGKILL) after so many milliseconds; the exit code is 137 if it was still at work.
+  EvalResult runAndKill(const std::vector<std::string>& arguments, int milliseconds) const;
+
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
   bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
   std::string read(const std::string& name) const;
@@ -39,6 +43,11 @@ class EvalToolTest : public ::testing::Test {
   nlohmann::json row(const std::string& out, const std::string& dataset, const std::string& method) const;
   /// The cells of OUT/frames.csv without quotes in them, heading first.
   std::vector<std::vector<std::string>> frames(const std::string& out) const;
+  /// The report's files by name, with every time taken out: equal for equal results.
+  std::map<std::string, std::string> report(const std::string& out) const;
+
+  /// Runs it as an argument of a shell's words `before`.
+  EvalResult runShell(const std::string& before, const std::vector<std::string>& arguments) const;
 
  private:
   std::filesystem::path folder_;
