@@ -12,6 +12,13 @@
 
 namespace epcc {
 
+namespace {
+
+/// Holes of so many pixels are bridged by S4 and S6 whatever the correlation length: drop-outs of a scanner, dark spots.
+constexpr int kNarrowHole = 15;
+
+}  // namespace
+
 InverseDepthPipeline::InverseDepthPipeline(const Parameters& parameters, const SensorModel& sensor)
     : parameters_(parameters),
       sensor_(sensor),
@@ -138,8 +145,8 @@ void InverseDepthPipeline::joinBlock(int row_begin, int row_end, int column_begi
 }
 
 void InverseDepthPipeline::mergeRegions() {
-  const int bridge = std::max(parameters_.line_growing.max_gap_pixels,
-                              static_cast<int>(parameters_.merging.bridge_samples * sensor_.pixelsPerLineSample()));
+  const double blotch = parameters_.merging.bridge_samples * sensor_.pixelsPerLineSample();
+  const int bridge = std::max(kNarrowHole, static_cast<int>(blotch));
   epcc::mergeRegions(findContacts(image_, bridge, map_), parameters_.merging, sensor_, map_);
   dropSmallRegions(parameters_.merging, sensor_, map_);
 }
