@@ -125,7 +125,11 @@ std::optional<ExperimentSummary> EvalRun::runInFolder() {
     storeFrame(options_.out, {result.index, result.file_name, result.records});
   };
   score(jobs, store, nullptr);
-  return writeRunReport(options_.out, StoredResults(options_.out, description));
+  const auto draw = [this](const PicturedFrame& pictured) {
+    for (const auto& source : sources_)
+      if (source->dataset() == pictured.frame.records.at(0).dataset) drawPictures(pictured, *source);
+  };
+  return writeRunReport(options_.out, StoredResults(options_.out, description), draw);
 }
 
 int EvalRun::exitCode(const ExperimentSummary& summary) {

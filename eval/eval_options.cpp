@@ -130,6 +130,10 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
       ->type_name("I/N");
   app.add_flag("--resume", options.resume, "Go on with the run in --out; what is done stays");
   app.add_flag("--overlays", options.overlays, "A picture of each frame: depth, truth, every method");
+  app.add_option("--pictures", options.pictures,
+                 "So many first, worst and best frames of each data set in report.html (2)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000));
   app.add_flag("--strict", options.strict, "Exit code 3 if any frame could not be scored");
 }
 

@@ -28,6 +28,7 @@ struct EvalOptions {
   Shard shard;          ///< the part of the frames to be done
   bool resume = false;  ///< go on with the results in `out`
   bool overlays = false;
+  int pictures = 2;  ///< in the report: first, worst and best frames of each data set, so many of each
   bool strict = false;
 };
 

@@ -76,7 +76,20 @@ std::vector<std::string> frameCells(const FrameRecord& record) {
   return cells;
 }
 
-/// The rows and, for several data sets, the totals below them.
+nlohmann::ordered_json jsonRows(const std::vector<SummaryRow>& rows) {
+  auto json = nlohmann::ordered_json::array();
+  for (const SummaryRow& row : rows) {
+    nlohmann::ordered_json entry = {{"dataset", row.dataset}, {"method", row.method}};
+    for (const auto& [name, count] : countsOf(row.frames, row.errors, row.measures)) entry[name] = count;
+    const std::optional<double> ms = row.medianMs();
+    entry["median_ms"] = ms ? nlohmann::ordered_json(*ms) : nlohmann::ordered_json(nullptr);
+    json.push_back(entry);
+  }
+  return json;
+}
+
+}  // namespace
+
 std::vector<SummaryRow> withTotals(const ExperimentSummary& summary) {
   std::vector<SummaryRow> rows = summary.rows();
   std::set<std::string> datasets;
@@ -86,17 +99,9 @@ std::vector<SummaryRow> withTotals(const ExperimentSummary& summary) {
   return rows;
 }
 
-}  // namespace
-
-std::string summaryJson(const std::vector<SummaryRow>& rows) {
-  nlohmann::ordered_json json = {{"version", 1}, {"rows", nlohmann::ordered_json::array()}};
-  for (const SummaryRow& row : rows) {
-    nlohmann::ordered_json entry = {{"dataset", row.dataset}, {"method", row.method}};
-    for (const auto& [name, count] : countsOf(row.frames, row.errors, row.measures)) entry[name] = count;
-    const std::optional<double> ms = row.medianMs();
-    entry["median_ms"] = ms ? nlohmann::ordered_json(*ms) : nlohmann::ordered_json(nullptr);
-    json["rows"].push_back(entry);
-  }
+std::string summaryJson(const std::vector<SummaryRow>& rows, const std::vector<SummaryRow>& totals) {
+  nlohmann::ordered_json json = {{"version", 1}, {"rows", jsonRows(rows)}};
+  if (!totals.empty()) json["totals"] = jsonRows(totals);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -140,6 +145,29 @@ void addFrameRow(const FrameRecord& record, Table& table) {
 
 std::string frameLine(const FrameRecord& record) {
   return csvLine(frameCells(record));
+}
+
+std::vector<TableColumn> pageColumns() {
+  std::vector<TableColumn> columns = {{"dataset", false}, {"frame", false}, {"method", false}};
+  for (const MeasureField& field : countFields()) columns.push_back({field.name, true});
+  columns.push_back({"median_ms", true});
+  columns.push_back({"error", false});
+  return columns;
+}
+
+std::vector<std::string> pageCells(const FrameRecord& record) {
+  std::vector<std::string> cells = {record.dataset, record.frame, record.method};
+  for (const MeasureField& field : countFields())
+    cells.push_back(record.error.empty() ? std::to_string(valueOf(field, record.measures)) : "-");
+  cells.push_back(milliseconds(record.ms, "-"));
+  cells.push_back(record.error);
+  return cells;
+}
+
+std::string summaryLatex(const ExperimentSummary& summary) {
+  const std::vector<SummaryRow> rows = withTotals(summary);
+  return "% Counts, summed over the frames without an error.\n" + latexTable(countsTable(rows)) + "\n% Shares.\n" +
+         latexTable(ratesTable(rows));
 }
 
 std::string summaryMarkdown(const ExperimentSummary& summary, const std::vector<std::string>& problems) {

@@ -10,8 +10,12 @@
 
 namespace epcc {
 
-/// summary.json, version 1: see docs/evaluation.md. median_ms is null where no time is known.
-std::string summaryJson(const std::vector<SummaryRow>& rows);
+/// The rows and, for several data sets, the totals below them.
+std::vector<SummaryRow> withTotals(const ExperimentSummary& summary);
+
+/// summary.json, version 1: see docs/evaluation.md. median_ms is null where no time is known. "totals" only if there
+/// are any.
+std::string summaryJson(const std::vector<SummaryRow>& rows, const std::vector<SummaryRow>& totals = {});
 
 /// Sums by data set and method, the columns of summary.json.
 Table countsTable(const std::vector<SummaryRow>& rows);
@@ -24,6 +28,12 @@ void addFrameRow(const FrameRecord& record, Table& table);
 /// The same row alone, as a line of frames.csv.
 std::string frameLine(const FrameRecord& record);
 
+/// The columns of report.html's rows, and one row: the counts of a frame and method, its time and its error.
+std::vector<TableColumn> pageColumns();
+std::vector<std::string> pageCells(const FrameRecord& record);
+
+/// Both tables as LaTeX, totals included if there are several data sets.
+std::string summaryLatex(const ExperimentSummary& summary);
 /// Both tables, totals if there are several data sets, and the errors by name.
 std::string summaryMarkdown(const ExperimentSummary& summary, const std::vector<std::string>& problems);
 /// Both tables for the terminal, with totals if there are several data sets.

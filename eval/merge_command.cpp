@@ -62,7 +62,7 @@ std::optional<int> parseMergeOptions(int argc, const char* const* argv, MergeOpt
 int merge(const MergeOptions& options, std::ostream& out, std::ostream& err) {
   const StoredResults results = StoredResults::merged(options.folders);
   const RunFolder folder(options.out);
-  const ExperimentSummary summary = writeRunReport(options.out, results);
+  const ExperimentSummary summary = writeRunReport(options.out, results, {});
   out << summaryText(summary) << std::flush;
   if (!out) throw OutputError("standard output", "tables", "cannot be written");
   const long errors = summary.errors() + static_cast<long>(results.run().unusable.size());

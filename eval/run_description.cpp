@@ -59,6 +59,7 @@ RunDescription describeRun(const EvalOptions& options, const std::vector<std::un
   }
   run.noise = options.noise;
   run.overlays = options.overlays;
+  run.pictures = static_cast<std::size_t>(options.pictures);
   run.shard = options.shard;
   for (const auto& source : sources) run.datasets.push_back({source->dataset(), source->size(), namesHash(*source)});
   run.unusable = unusable;
@@ -73,8 +74,8 @@ void writeRunDescription(const std::string& out, const RunDescription& run) {
   Json json = {{"version", kVersion},       {"program", run.program},
                {"methods", run.methods},    {"predictions", run.predictions},
                {"noise", run.noise},        {"overlays", run.overlays},
-               {"shard", run.shard.text()}, {"datasets", Json::array()},
-               {"unusable", run.unusable}};
+               {"pictures", run.pictures},  {"shard", run.shard.text()},
+               {"datasets", Json::array()}, {"unusable", run.unusable}};
   for (const RunDataset& dataset : run.datasets)
     json["datasets"].push_back(
         {{"name", dataset.name}, {"frames", dataset.frames}, {"names_hash", dataset.names_hash}});
@@ -94,6 +95,7 @@ RunDescription readRunDescription(const std::string& out) {
     run.predictions = json.at("predictions").get<Words>();
     run.noise = json.at("noise");
     run.overlays = json.at("overlays");
+    run.pictures = json.at("pictures");
     const std::optional<Shard> shard = parseShard(json.at("shard"));
     if (!shard) throw InputError(path, "shard", "is not I/N");
     run.shard = *shard;

@@ -26,6 +26,7 @@ struct RunDescription {
   std::vector<std::string> predictions;  ///< NAME=DIR, part of the methods too
   std::string noise;                     ///< as on the command line
   bool overlays = false;
+  std::size_t pictures = 0;  ///< of each kind and data set in the report; no result depends on it
   Shard shard;
   std::vector<RunDataset> datasets;
   std::vector<std::string> unusable;  ///< data sets that could not be opened: why

@@ -10,30 +10,42 @@
 #include "datasets/atomic_file.h"
 #include "datasets/input_error.h"
 #include "eval/evaluation_report.h"
+#include "eval/html_report.h"
 #include "eval/problem_list.h"
 
 namespace epcc {
 
-ExperimentSummary writeRunReport(const std::string& out, const StoredResults& results) {
+ExperimentSummary writeRunReport(const std::string& out, const StoredResults& results, const Draw& draw) {
   const auto path = [&](const char* name) { return (std::filesystem::path(out) / name).string(); };
   ExperimentSummary summary;
   ProblemList problems;
+  PictureChoice choice(results.run().pictures);
+  WorstRows rows;
   for (const std::string& problem : results.run().unusable) problems.add(problem);
   writeAtomically(path("frames.csv"), [&](const std::string& temporary) {
     std::ofstream csv(temporary, std::ios::binary);
     csv << csvTable(emptyFramesTable());
-    results.forEach([&](const StoredFrame& frame, const std::string&) {
+    results.forEach([&](const StoredFrame& frame, const std::string& folder) {
+      choice.add(frame, folder);
       for (const std::string& problem : frameProblems(frame.records)) problems.add(problem);
       for (const FrameRecord& record : frame.records) {
         summary.add(record);
+        rows.add(record);
         csv << frameLine(record);
       }
     });
     csv.close();
     if (!csv) throw OutputError(path("frames.csv"), "file", std::strerror(errno));
   });
-  writeTextFile(path("summary.json"), summaryJson(summary.rows()));
+  const std::vector<PicturedFrame> pictures = choice.chosen();
+  if (draw)
+    for (const PicturedFrame& pictured : pictures) draw(pictured);
+  const bool several = results.run().datasets.size() > 1;
+  writeTextFile(path("summary.json"),
+                summaryJson(summary.rows(), several ? summary.totals() : std::vector<SummaryRow>()));
   writeTextFile(path("summary.md"), summaryMarkdown(summary, problems.lines()));
+  writeTextFile(path("summary.tex"), summaryLatex(summary));
+  writeTextFile(path("report.html"), htmlReport(results.run(), summary, rows, pictures, problems.lines()));
   return summary;
 }
 

@@ -2,15 +2,20 @@
 // The report of a run, made from its stored results.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "eval/experiment_summary.h"
+#include "eval/report_pictures.h"
 #include "eval/stored_results.h"
 
 namespace epcc {
 
-/// Writes summary.json, summary.md and frames.csv to `out` and returns the sums. Throws OutputError, and InputError if
-/// results are missing; then no file has changed.
-ExperimentSummary writeRunReport(const std::string& out, const StoredResults& results);
+/// Draws the pictures of the frames chosen. Empty where no data set is at hand: those drawn before are taken.
+using Draw = std::function<void(const PicturedFrame&)>;
+
+/// Writes summary.json, .md and .tex, frames.csv and report.html to `out` and returns the sums. Throws OutputError, and
+/// InputError if results are missing; then no file has changed.
+ExperimentSummary writeRunReport(const std::string& out, const StoredResults& results, const Draw& draw);
 
 }  // namespace epcc

@@ -36,6 +36,8 @@ StoredResults StoredResults::merged(const std::vector<std::string>& folders) {
     const std::string difference = optionDifference(results.run_, run);
     if (!difference.empty()) throw InputError(folder, "options", "another run than " + folders[0] + ": " + difference);
     results.add(folder, run);
+    // A shard has drawn no more than it was asked for.
+    results.run_.pictures = std::min(results.run_.pictures, run.pictures);
     for (const std::string& problem : run.unusable) {
       auto& all = results.run_.unusable;
       if (std::find(all.begin(), all.end(), problem) == all.end()) all.push_back(problem);

@@ -52,6 +52,14 @@ TEST_F(EvalCommand, LeavesTheFilesOfTheContract) {
   EXPECT_TRUE(exists("deep/out/overlays/f1.png"));
   EXPECT_NE(read("deep/out/summary.md").find("| rooms | epcc |"), std::string::npos);
   EXPECT_EQ(frames("deep/out").size(), 11U);
+  EXPECT_NE(read("deep/out/summary.tex").find("rooms & epcc & 2 & 0 & 6"), std::string::npos);
+  const std::string page = read("deep/out/report.html");
+  std::size_t pictures = 0;
+  for (std::size_t at = page.find("data:image/png;base64,iVBOR"); at != std::string::npos; ++pictures)
+    at = page.find("data:image/png;base64,iVBOR", at + 1);
+  EXPECT_EQ(pictures, 2U * 7U) << "depth, truth and five methods of two frames";
+  EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+  EXPECT_EQ(page.find("<link"), std::string::npos);
 }
 
 TEST_F(EvalCommand, WithoutOutItWritesNothing) {
@@ -131,6 +139,36 @@ TEST_F(EvalCommand, OwnLabelsImportedAgainScoreTheSame) {
     EXPECT_EQ(own, again);
     EXPECT_EQ(again.at("errors"), 0);
   }
+}
+
+TEST_F(EvalCommand, PicturesAreChosenByNumber) {
+  for (unsigned i = 0; i < 4; ++i) writeFrame("rooms", "f" + std::to_string(i), i);
+  const std::vector<std::string> arguments = {"rooms", "--methods", "epcc-paper", "--out", "o", "--resume"};
+  const auto with = [&](const std::string& number) {
+    auto all = arguments;
+    all.insert(all.end(), {"--pictures", number});
+    return run(all).exit_code;
+  };
+  ASSERT_EQ(with("0"), 0);
+  EXPECT_EQ(read("o/report.html").find("<figure>"), std::string::npos);
+  EXPECT_FALSE(exists("o/pictures"));
+  ASSERT_EQ(with("1"), 0) << "the number changes no result";
+  EXPECT_NE(read("o/report.html").find("rooms / f0 ("), std::string::npos);
+  EXPECT_EQ(read("o/report.html").find("<div class=\"none\">"), std::string::npos) << "every picture is there";
+  expectFailure({"rooms", "--pictures", "-1"}, 2, "--pictures");
+}
+
+TEST_F(EvalCommand, SeveralDataSetsHaveTotals) {
+  writeFrame("rooms", "f");
+  ASSERT_EQ(run({"rooms", "--methods", "epcc-paper,omps", "--out", "one"}).exit_code, 0);
+  EXPECT_FALSE(nlohmann::json::parse(read("one/summary.json")).contains("totals"));
+  writeFrame("halls", "g");
+  ASSERT_EQ(run({"rooms", "halls", "--methods", "epcc-paper,omps", "--out", "two"}).exit_code, 0);
+  const auto totals = nlohmann::json::parse(read("two/summary.json")).at("totals");
+  ASSERT_EQ(totals.size(), 2U);
+  EXPECT_EQ(totals[1].at("method"), "omps");
+  EXPECT_EQ(totals[1].at("dataset"), "all");
+  EXPECT_EQ(totals[1].at("N"), 6);
 }
 
 TEST_F(EvalCommand, NoiseReachesTheMethod) {

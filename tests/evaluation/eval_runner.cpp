@@ -105,6 +105,8 @@ std::map<std::string, std::string> EvalToolTest::report(const std::string& out) 
   const std::pair<const char*, const char*> times[] = {
       {"summary.json", R"("median_ms": [^\n]*)"},
       {"summary.md", R"(((?:^|\n)\|(?: [^|\n]* \|){14}) [^|\n]* \|(?=\n))"},
+      {"summary.tex", R"(((?:^|\n)(?:[^&\n]*&){14})[^&\n]*\\\\(?=\n))"},
+      {"report.html", R"((<td class="r time">)[^<]*)"},
       {"frames.csv", R"(((?:^|\n)(?:[^,\n]*,){15})[^,\n]*)"}};
   std::map<std::string, std::string> files;
   for (const auto& [name, pattern] : times)
