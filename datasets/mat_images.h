@@ -2,8 +2,10 @@
 // Stacks of images in a MATLAB 7.3 file, which is HDF5; only built where there is HDF5.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "datasets/image.h"
 
@@ -26,6 +28,13 @@ class MatFile {
   std::int64_t id_ = -1;
 };
 
+/// How a variable lies in the file.
+struct MatLayout {
+  std::array<unsigned long long, 3> chunk{};  ///< numbers a side, 0 if the variable lies there whole
+  unsigned long long element_size = 0;        ///< bytes
+  int shuffle = -1, deflate = -1;             ///< place in the order of filters, -1 for none
+};
+
 /// A variable height x width x count of numbers. MATLAB's first index runs fastest, so that HDF5 sees count x width x
 /// height: every image is stored transposed.
 class MatImages {
@@ -44,12 +53,19 @@ class MatImages {
  private:
   void open(int width, int height);
   void close();
+  using Offset = std::array<unsigned long long, 3>;
+  // All of these run under the lock; `columns` is the image column after column.
+  void readWhole(std::size_t index, std::vector<float>& columns) const;
+  void readChunk(std::size_t index, const Offset& offset, std::vector<float>& columns) const;
+  std::vector<unsigned char> unpackedChunk(std::size_t index, const Offset& offset) const;
+  [[noreturn]] void fail(std::size_t index, const std::string& what) const;
 
   const MatFile& file_;
   std::string variable_;
   std::int64_t id_ = -1;
   std::size_t count_ = 0;
   int width_, height_;
+  MatLayout layout_;
 };
 
 }  // namespace epcc
