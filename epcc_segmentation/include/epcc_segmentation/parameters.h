@@ -108,8 +108,8 @@ struct MergingParameters {
   double max_ragged_gain = 2.0;
   /// ... where the step along the border, rms in sigma, is smaller than this. [0, 1e6]
   double max_ragged_step = 1.75;
-  /// Regions are neighbours across unlabelled pixels worth so many independent samples of a line, or across the gap
-  /// that a line may have ... [0, 1000]
+  /// Regions are neighbours across unlabelled pixels worth so many independent samples of a line, at least across
+  /// 15 pixels ... [0, 1000]
   double bridge_samples = 1.0;
   /// ... in at least so many places. [1, 1e6]
   int min_contacts = 3;
