@@ -5,6 +5,8 @@
 #include <pcl/segmentation/sac_segmentation.h>
 
 #include <algorithm>
+#include <random>
+#include <utility>
 
 #include "baselines/parameter_check.h"
 #include "baselines/voxel_cloud.h"
@@ -18,8 +20,18 @@ std::string RansacParameters::validate() const {
                        checkParameter("normal_distance_weight", normal_distance_weight, 0.0, 1.0),
                        checkParameter("iterations", iterations, 1, 1000000),
                        checkParameter("min_plane_points", min_plane_points, 3, 1000000000),
-                       checkParameter("max_planes", max_planes, 1, 1000000)});
+                       checkParameter("max_planes", max_planes, 1, 1000000), checkParameter("seed", seed, 0, 1000000)});
 }
+
+namespace {
+
+/// Fisher and Yates; the draws do not depend on the standard library's distributions.
+void shuffle(int seed, pcl::Indices& indices) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  for (std::size_t i = indices.size(); i > 1; --i) std::swap(indices[i - 1], indices[random() % i]);
+}
+
+}  // namespace
 
 bool RansacSegmenter::run(const SegmenterInput& input, PlaneSegmentation& result) {
   const std::string problem = parameters_.validate();
@@ -45,6 +57,7 @@ bool RansacSegmenter::run(const SegmenterInput& input, PlaneSegmentation& result
   std::vector<std::int32_t> point_labels(voxels.points->size(), 0);
   auto rest = pcl::make_shared<pcl::PointIndices>();
   for (std::size_t i = 0; i < voxels.points->size(); ++i) rest->indices.push_back(static_cast<pcl::index_t>(i));
+  if (parameters_.seed != 0) shuffle(parameters_.seed, rest->indices);
   std::int32_t label = 0;
   while (label < parameters_.max_planes && rest->indices.size() >= fewest) {
     pcl::PointIndices inliers;

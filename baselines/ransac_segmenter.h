@@ -16,6 +16,7 @@ struct RansacParameters {
   int iterations = 100;                        ///< Most hypotheses a plane. [1, 1e6]
   int min_plane_points = 50;                   ///< Ends the search: fewest voxel points of a plane. [3, 1e9]
   int max_planes = 100;                        ///< Ends the search. [1, 1e6]
+  int seed = 0;  ///< Order in which the points are numbered, and with it the draws; 0: as they come. [0, 1e6]
   std::string validate() const;
 };
 
@@ -26,7 +27,8 @@ struct RansacParameters {
 /// normals, whose even density keeps a near surface from hiding a far one, with PCL's optimised coefficients, and
 /// stops when the best plane has fewer points than the smallest region of region growing (50), after max_planes,
 /// or when PCL finds no model. A plane is everything near it: pieces of one plane in different places share a
-/// label. PCL seeds its random numbers with a constant for each plane, so that the result repeats.
+/// label. PCL seeds its random numbers with a constant for each plane, so that the result repeats; another `seed`
+/// gives another result, which repeats as well.
 class RansacSegmenter : public PlaneSegmenter {
  public:
   explicit RansacSegmenter(const RansacParameters& parameters) : parameters_(parameters) {}

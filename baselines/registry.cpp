@@ -77,6 +77,10 @@ std::vector<std::string> segmenterNames() {
   return {"epcc", "epcc-paper", "region-growing", "ransac", "omps"};
 }
 
+bool drawsAtRandom(const std::string& name) {
+  return name == "ransac";
+}
+
 std::unique_ptr<PlaneSegmenter> makeSegmenter(const std::string& name, const SegmenterOptions& options) {
   if (name == "epcc") return std::make_unique<EpccSegmenter>(options.epcc);
   if (name == "epcc-paper") return std::make_unique<EpccSegmenter>(options.epcc_paper);

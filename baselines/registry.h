@@ -35,6 +35,9 @@ std::optional<SegmenterOptions> paperParameters(char scene);
 /// epcc, epcc-paper, region-growing, ransac, omps.
 std::vector<std::string> segmenterNames();
 
+/// Whether a method's result depends on RansacParameters::seed.
+bool drawsAtRandom(const std::string& name);
+
 /// A fresh method, or null for a name that segmenterNames() does not hold. Parameters out of range do not show here
 /// but in segment(). Imported labels need a folder and have their own class, ImportedLabelsSegmenter.
 std::unique_ptr<PlaneSegmenter> makeSegmenter(const std::string& name,

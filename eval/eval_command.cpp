@@ -9,6 +9,7 @@
 #include <set>
 
 #include "datasets/input_error.h"
+#include "eval/eval_methods.h"
 #include "eval/eval_progress.h"
 #include "eval/evaluation_files.h"
 #include "eval/evaluation_report.h"
@@ -35,7 +36,6 @@ class EvalRun {
  private:
   void say(const std::string& line) { err_ << "epcc_eval: " << printable(line, 2000) << '\n'; }
   void note(const std::string& problem);
-  std::vector<Method> methods() const;
   FrameJobs shardJobs() const;
   void score(const FrameJobs& jobs, const FrameDone& done, ExperimentSummary* summary);
   ExperimentSummary runInMemory();
@@ -68,13 +68,6 @@ void EvalRun::note(const std::string& problem) {
   say(problem);
 }
 
-std::vector<Method> EvalRun::methods() const {
-  std::vector<Method> methods;
-  for (const std::string& name : options_.methods) methods.push_back(registeredMethod(name));
-  for (const Predictions& p : options_.predictions) methods.push_back(importedMethod(p.name, p.folder));
-  return methods;
-}
-
 FrameJobs EvalRun::shardJobs() const {
   FrameJobs jobs = listJobs(sources_);
   jobs.keepIf([this](const FrameJob& job) { return options_.shard.holds(job.position); });
@@ -92,7 +85,7 @@ void EvalRun::score(const FrameJobs& jobs, const FrameDone& done, ExperimentSumm
     progress.show(++frames);
   };
   progress.show(0);
-  runExperiment(jobs, methods(), {options_.noise, options_.jobs}, done, in_order);
+  runExperiment(jobs, evalMethods(options_), {options_.noise, options_.jobs}, done, in_order);
   progress.clear();
 }
 

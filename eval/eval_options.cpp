@@ -12,6 +12,7 @@
 
 #include "baselines/registry.h"
 #include "datasets/input_error.h"
+#include "eval/eval_methods.h"
 #include "eval/frame_sensor.h"
 #include "eval/segment_options.h"
 
@@ -66,7 +67,9 @@ bool isPrediction(const std::string& text) {
 }
 
 void settlePredictions(const RawOptions& raw, EvalOptions& options) {
-  std::set<std::string> names(options.methods.begin(), options.methods.end());
+  std::set<std::string> names;
+  for (const std::string& method : options.methods)
+    for (const std::string& name : seededNames(method, options.seeds)) names.insert(name);
   for (const std::string& text : raw.predictions) {
     if (!isPrediction(text)) {
       options.datasets.push_back(text);
@@ -129,6 +132,9 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
   app.add_option("--shard", raw.shard, "Only part I of N: every N-th frame from the I-th on; see epcc_eval merge")
       ->type_name("I/N");
   app.add_flag("--resume", options.resume, "Go on with the run in --out; what is done stays");
+  app.add_option("--seeds", options.seeds, "Runs of methods that draw at random, as NAME, NAME-seed1, ... (1)")
+      ->type_name("S")
+      ->check(CLI::Range(1, 1000));
   app.add_flag("--overlays", options.overlays, "A picture of each frame: depth, truth, every method");
   app.add_option("--pictures", options.pictures,
                  "So many first, worst and best frames of each data set in report.html (2)")

@@ -27,6 +27,7 @@ struct EvalOptions {
   int jobs = 1;
   Shard shard;          ///< the part of the frames to be done
   bool resume = false;  ///< go on with the results in `out`
+  int seeds = 1;        ///< runs of each method that draws at random
   bool overlays = false;
   int pictures = 2;  ///< in the report: first, worst and best frames of each data set, so many of each
   bool strict = false;

@@ -9,6 +9,7 @@
 
 #include "datasets/atomic_file.h"
 #include "datasets/input_error.h"
+#include "eval/eval_methods.h"
 #include "eval/text_hash.h"
 
 namespace epcc {
@@ -52,11 +53,8 @@ RunDescription describeRun(const EvalOptions& options, const std::vector<std::un
                            const std::vector<std::string>& unusable) {
   RunDescription run;
   run.program = EPCC_VERSION;
-  run.methods = options.methods;
-  for (const Predictions& p : options.predictions) {
-    run.methods.push_back(p.name);
-    run.predictions.push_back(p.name + "=" + p.folder);
-  }
+  for (const Method& method : evalMethods(options)) run.methods.push_back(method.name);
+  for (const Predictions& p : options.predictions) run.predictions.push_back(p.name + "=" + p.folder);
   run.noise = options.noise;
   run.overlays = options.overlays;
   run.pictures = static_cast<std::size_t>(options.pictures);

@@ -171,6 +171,30 @@ TEST_F(EvalCommand, SeveralDataSetsHaveTotals) {
   EXPECT_EQ(totals[1].at("N"), 6);
 }
 
+TEST_F(EvalCommand, SeedsAreMethodsOfTheirOwnWhereThereIsChance) {
+  writeFrame("rooms", "f1", 1);
+  const auto run_with = [&](const std::string& seeds, const std::string& out) {
+    return run({"rooms", "--methods", "ransac,omps", "--seeds", seeds, "--out", out}).exit_code;
+  };
+  ASSERT_EQ(run_with("1", "one"), 0);
+  ASSERT_EQ(run_with("4", "four"), 0);
+  EXPECT_EQ(frames("four").size(), 6U) << "ransac and its seeds 1 to 3, omps, the heading";
+  const auto labels = [&](const std::string& out, const std::string& method) {
+    return read(out + "/labels/" + method + "/f1_labels.png");
+  };
+  EXPECT_EQ(labels("four", "ransac"), labels("one", "ransac"));
+  int others = 0;
+  for (const std::string seed : {"1", "2", "3"}) {
+    EXPECT_EQ(row("four", "rooms", "ransac-seed" + seed).at("errors"), 0);
+    if (labels("four", "ransac-seed" + seed) != labels("four", "ransac")) ++others;
+  }
+  EXPECT_GE(others, 1);
+  ASSERT_EQ(run_with("4", "again"), 0);
+  EXPECT_EQ(report("again"), report("four"));
+  expectFailure({"rooms", "--seeds", "0"}, 2, "--seeds");
+  expectFailure({"rooms", "--seeds", "2", "--predictions", "ransac-seed1=x"}, 2, "there are two methods");
+}
+
 TEST_F(EvalCommand, NoiseReachesTheMethod) {
   writeFrame("rooms", "f1", 1);
   ASSERT_EQ(run({"rooms", "--methods", "epcc-paper", "--out", "fine"}).exit_code, 0);
