@@ -66,6 +66,20 @@ TEST_F(EvalMerge, RunsOverDifferentDataSetsAreJoined) {
   EXPECT_EQ(report("merged"), report("whole"));
 }
 
+TEST_F(EvalMerge, DataSetsThatCannotBeOpenedAreNamedOnce) {
+  const Words common = {"nowhere", "halls", "--methods", "omps", "--out"};
+  const auto with = [&](const std::string& out, const std::string& shard) {
+    Words words = common;
+    words.insert(words.end(), {out, "--shard", shard});
+    return run(words).exit_code;
+  };
+  ASSERT_EQ(with("whole", "1/1") + with("a", "1/2") + with("b", "2/2"), 0);
+  const auto result = run(merge({"a", "b"}, "merged"));
+  EXPECT_EQ(result.err, "epcc_eval: 1 error, 3 results scored\n");
+  EXPECT_EQ(report("merged"), report("whole"));
+  EXPECT_NE(read("merged/summary.md").find("nowhere"), std::string::npos);
+}
+
 TEST_F(EvalMerge, MissingAndDoubledShardsAreNamed) {
   const Words three = shards(3);
   expectFailure(merge({three[1]}, "m"), 3, "merge: data set rooms: shards: missing: 1/3, 3/3");

@@ -29,7 +29,10 @@ TEST(EvalOptions, Defaults) {
   EXPECT_TRUE(options.predictions.empty());
   EXPECT_EQ(options.noise, "");
   EXPECT_EQ(options.jobs, 1);
-  EXPECT_FALSE(options.strict || options.overlays);
+  EXPECT_EQ(options.shard.text(), "1/1");
+  EXPECT_EQ(options.seeds, 1);
+  EXPECT_EQ(options.pictures, 2);
+  EXPECT_FALSE(options.strict || options.overlays || options.resume);
 }
 
 TEST(EvalOptions, MethodsInTheOrderGiven) {
@@ -61,7 +64,8 @@ class EvalUsage : public EvalToolTest {};
 TEST_F(EvalUsage, HelpAndVersion) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* word : {"--methods", "--predictions", "--noise", "--out", "--jobs", "--strict", "--overlays"})
+  for (const char* word : {"--methods", "--predictions", "--noise", "--out", "--jobs", "--strict", "--overlays",
+                           "--shard", "--resume", "--seeds", "--pictures", "merge"})
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
   EXPECT_EQ(run({"--version"}).out.rfind("epcc_eval ", 0), 0U);
 }
