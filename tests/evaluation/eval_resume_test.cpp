@@ -37,14 +37,14 @@ TEST_F(EvalResume, KilledAgainAndAgainTheReportIsThatOfOneRun) {
   std::mt19937 random(7);
   int killed = 0, delay = 5;
   std::size_t partly = 0;
-  for (int exit_code = 137; exit_code == 137; delay += 5) {
+  for (int exit_code = 137; exit_code == 137; delay += 3 + delay / 6) {
     const auto result = runAndKill(with("pieces"), delay + static_cast<int>(random() % 20));
     exit_code = result.exit_code;
     ASSERT_TRUE(exit_code == 137 || exit_code == 0) << result.err;
     const std::size_t done = files("pieces/results");
     if (exit_code == 137 && done > 0 && done < 35) ++partly;
     killed += exit_code == 137 ? 1 : 0;
-    ASSERT_LT(delay, 3000);
+    ASSERT_LT(delay, 30000);
   }
   EXPECT_GE(killed, 3);
   EXPECT_GE(partly, 1U) << "killed between the first frame and the last";
