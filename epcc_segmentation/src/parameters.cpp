@@ -67,6 +67,7 @@ std::string MergingParameters::validate() const {
                   checkRange("merging.max_ragged_gain", max_ragged_gain, 1.0, 100.0),
                   checkRange("merging.max_ragged_step", max_ragged_step, 0.0, 1e6),
                   checkRange("merging.bridge_samples", bridge_samples, 0.0, 1000.0),
+                  checkRange("merging.min_bridge_pixels", min_bridge_pixels, 0, 1000),
                   checkRange("merging.min_contacts", min_contacts, 1, 1000000),
                   checkRange("merging.min_samples", min_samples, 0.0, 1e6),
                   checkRange("merging.max_occluder", max_occluder, 0.0, 100.0)});

@@ -2,6 +2,7 @@
 // S4, S7 and S8: which regions are one surface, and which are none.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -207,6 +208,18 @@ TEST(OccludedContacts, AreFoundBehindWhatIsNearerOnly) {
   EXPECT_EQ(occludedContacts(wallBehindAPole(20, 1.0f, 1.5f)), 0);  // and nearer
   EXPECT_EQ(occludedContacts(wallBehindAPole(52, 1.0f)), 60);       // 52 of 60 + 48 columns: just less than half
   EXPECT_EQ(occludedContacts(wallBehindAPole(56, 1.0f)), 0);
+  EXPECT_EQ(occludedContacts(wallBehindAPole(20, 2.0f)), 0);  // unlabelled, but nothing in front
+}
+
+TEST(OccludedContacts, AreTheSameWhicheverSideIsLonger) {
+  auto room = wallBehindAPole(20, 1.0f);  // 60 columns on the left, 80 on the right
+  EXPECT_EQ(occludedContacts(room), 60);
+  for (int row = 0; row < 120; ++row) {
+    const auto start = static_cast<std::size_t>(row) * 160;
+    std::reverse(room.depth.begin() + start, room.depth.begin() + start + 160);
+    std::reverse(room.labels.begin() + start, room.labels.begin() + start + 160);
+  }
+  EXPECT_EQ(occludedContacts(room), 60);
 }
 
 TEST(OccludedContacts, TwoPartsOfAWallBecomeOne) {

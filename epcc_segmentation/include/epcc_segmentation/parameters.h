@@ -108,9 +108,10 @@ struct MergingParameters {
   double max_ragged_gain = 2.0;
   /// ... where the step along the border, rms in sigma, is smaller than this. [0, 1e6]
   double max_ragged_step = 1.75;
-  /// Regions are neighbours across unlabelled pixels worth so many independent samples of a line, at least across
-  /// 15 pixels ... [0, 1000]
+  /// Regions are neighbours across a hole as wide as so many independent samples of a line, ... [0, 1000]
   double bridge_samples = 1.0;
+  /// ... or of so many pixels: drop-outs, dark spots ... [0, 1000]
+  int min_bridge_pixels = 15;
   /// ... in at least so many places. [1, 1e6]
   int min_contacts = 3;
   /// Regions with fewer independent samples are dropped. [0, 1e6]

@@ -36,10 +36,7 @@ class SensorModel {
   static std::optional<SensorModel> parse(const std::string& text, std::string* why = nullptr);
 
   /// Standard deviation in metres of a depth of z metres; never below one micrometre.
-  double sigmaZ(double z) const {
-    const double sigma = polynomial_ ? (k_[0] * z + k_[1]) * z + k_[2] : std::hypot(k_[0], k_[1] * z * z);
-    return sigma > kSmallestSigma ? sigma : kSmallestSigma;
-  }
+  double sigmaZ(double z) const { return std::sqrt(varianceZ(z)); }
   /// sigma_z^2, without a square root.
   double varianceZ(double z) const {
     const double spread = polynomial_ ? std::fmax(0.0, (k_[0] * z + k_[1]) * z + k_[2]) : k_[1] * z * z;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "inverse_depth/region_merging.h"
+#include "inverse_depth/region_contacts.h"
 
 namespace epcc {
 
@@ -20,23 +20,14 @@ struct RefinedPlane {
 
 enum class Crease { Unknown, Convex, Concave };
 
-std::uint64_t pairKey(std::int32_t a, std::int32_t b) {
-  const auto low = static_cast<std::uint32_t>(std::min(a, b));
-  const auto high = static_cast<std::uint32_t>(std::max(a, b));
-  return (static_cast<std::uint64_t>(high) << 32) | low;
-}
-
 class Refiner {
  public:
   Refiner(const InverseDepthImage& image, const RefinementParameters& parameters, RegionMap& map)
       : image_(image), parameters_(parameters), labels_(map.labels), planes_(map.regions.size() + 1) {
     for (std::size_t k = 0; k < map.regions.size(); ++k) {
-      const PlaneMoments& region = map.regions[k];
-      if (region.n <= 0.0) continue;
-      RefinedPlane& plane = planes_[k + 1];
-      plane.q = region.fit(weakRidge(region)).q;
-      plane.inverse_slope = 1.0 / std::sqrt(slopeFactor(plane.q, region.meanW()));
-      plane.usable = true;
+      if (map.regions[k].n <= 0.0) continue;
+      const RegionPlane plane(map.regions[k]);
+      planes_[k + 1] = {plane.q, 1.0 / std::sqrt(plane.slope_factor), true};
     }
   }
 
@@ -139,7 +130,7 @@ class Refiner {
   void vote(std::int32_t own, std::int32_t other, int row, int column) {
     if (row < 0 || row >= height() || column < 0 || column >= width()) return;
     if (labels_[static_cast<std::size_t>(row) * width() + column] != own) return;
-    Votes& v = votes_[pairKey(own, other)];
+    Votes& v = votes_[RegionPair(own, other)];
     (planeAt(own, row, column) < planeAt(other, row, column) ? v.convex : v.concave)++;
   }
 
@@ -153,7 +144,7 @@ class Refiner {
   }
 
   Crease crease(std::int32_t a, std::int32_t b) const {
-    const auto found = creases_.find(pairKey(a, b));
+    const auto found = creases_.find(RegionPair(a, b));
     return found == creases_.end() ? Crease::Unknown : found->second;
   }
 
@@ -226,8 +217,8 @@ class Refiner {
   const RefinementParameters& parameters_;
   std::vector<std::int32_t>& labels_;
   std::vector<RefinedPlane> planes_;
-  std::unordered_map<std::uint64_t, Votes> votes_;
-  std::unordered_map<std::uint64_t, Crease> creases_;
+  std::unordered_map<RegionPair, Votes, RegionPair::Hash> votes_;
+  std::unordered_map<RegionPair, Crease, RegionPair::Hash> creases_;
   std::vector<std::size_t> frontier_;
   std::vector<std::uint8_t> queued_;
   std::vector<Change> changes_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "inverse_depth/region_merging.h"
 #include "inverse_depth/surface_bending.h"
 
 namespace epcc {
@@ -13,18 +12,17 @@ bool isPlane(const PlaneMoments& region, const EvidenceParameters& parameters, c
   const double pixels_per_sample = sensor.pixelsPerSample();
   if (region.n < std::max(static_cast<double>(parameters.min_points), parameters.min_samples * pixels_per_sample))
     return false;
-  const PlaneEstimate fit = region.fit(weakRidge(region));
-  const double chi2 = fit.rss / (region.n * slopeFactor(fit.q, region.meanW()));
+  const RegionPlane plane(region);
+  const double chi2 = plane.rss / (region.n * plane.slope_factor);
   if (chi2 > parameters.max_chi2) return false;
   return region.n / pixels_per_sample >= parameters.min_evidence * std::max(0.5, chi2);
 }
 
 namespace {
 
-bool isFacet(const Bending& bending, const EvidenceParameters& parameters, double pixels_per_sample,
-             double slope_factor) {
+bool isFacet(const Bending& bending, const EvidenceParameters& parameters, double pixels_per_sample) {
   return bending.curvature * parameters.min_radius > 1.0 && bending.gain > parameters.bending_share * bending.rss &&
-         bending.gain > parameters.bending_evidence * pixels_per_sample * slope_factor;
+         bending.gain > parameters.bending_evidence * pixels_per_sample;
 }
 
 }  // namespace
@@ -40,10 +38,7 @@ void rejectRegions(const InverseDepthImage& image, const EvidenceParameters& par
   std::vector<std::int32_t> new_label(count + 1, 0);
   for (std::size_t k = 0; k < count; ++k) {
     PlaneMoments& region = map.regions[k];
-    if (plane[k] != 0 && isFacet(bending[k], parameters, sensor.pixelsPerSample(),
-                                 slopeFactor(region.fit(weakRidge(region)).q, region.meanW())))
-      plane[k] = 0;
-    if (plane[k] != 0)
+    if (plane[k] != 0 && !isFacet(bending[k], parameters, sensor.pixelsPerSample()))
       new_label[k + 1] = static_cast<std::int32_t>(k + 1);
     else
       region = PlaneMoments();

@@ -96,6 +96,12 @@ void InverseDepthImage::transpose() {
               w[static_cast<std::size_t>(row) * width + column];
 }
 
+double pixelPitch(const std::vector<double>& coordinate) {
+  if (coordinate.size() < 2) return 0.0;
+  const auto [least, greatest] = std::minmax_element(coordinate.begin(), coordinate.end());
+  return (*greatest - *least) / static_cast<double>(coordinate.size() - 1);
+}
+
 InverseDepthNoise InverseDepthNoise::of(const SensorModel& sensor) {
   const auto k = sensor.coefficients();
   InverseDepthNoise noise;

@@ -61,4 +61,7 @@ struct InverseDepthImage {
   void transpose();
 };
 
+/// Mean change of a ray coordinate from one column or row to the next.
+double pixelPitch(const std::vector<double>& coordinate);
+
 }  // namespace epcc

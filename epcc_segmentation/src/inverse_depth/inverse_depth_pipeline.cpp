@@ -12,13 +12,6 @@
 
 namespace epcc {
 
-namespace {
-
-/// Holes of so many pixels are bridged by S4 and S6 whatever the correlation length: drop-outs of a scanner, dark spots.
-constexpr int kNarrowHole = 15;
-
-}  // namespace
-
 InverseDepthPipeline::InverseDepthPipeline(const Parameters& parameters, const SensorModel& sensor)
     : parameters_(parameters),
       sensor_(sensor),
@@ -76,12 +69,6 @@ void InverseDepthPipeline::growPlanes(bool columns, Direction& direction) {
                                              plane.segments >= parameters_.plane_growing.min_segments
                                          ? plane.moments.n
                                          : 0.0);
-}
-
-double InverseDepthPipeline::pixelPitch(const std::vector<double>& coordinate) const {
-  double low = 0.0, high = 0.0;
-  for (const double x : coordinate) low = std::min(low, x), high = std::max(high, x);
-  return coordinate.size() > 1 ? (high - low) / static_cast<double>(coordinate.size() - 1) : 0.0;
 }
 
 // S3: a pixel takes the larger of its two planes; row planes are numbered after the column planes.
@@ -146,7 +133,7 @@ void InverseDepthPipeline::joinBlock(int row_begin, int row_end, int column_begi
 
 void InverseDepthPipeline::mergeRegions() {
   const double blotch = parameters_.merging.bridge_samples * sensor_.pixelsPerLineSample();
-  const int bridge = std::max(kNarrowHole, static_cast<int>(blotch));
+  const int bridge = std::max(parameters_.merging.min_bridge_pixels, static_cast<int>(blotch));
   epcc::mergeRegions(findContacts(image_, bridge, map_), parameters_.merging, sensor_, map_);
   dropSmallRegions(parameters_.merging, sensor_, map_);
 }

@@ -47,7 +47,6 @@ class InverseDepthPipeline {
   void growPlanes(bool columns, Direction& direction);
   void rankPlanes();
   void joinBlock(int row_begin, int row_end, int column_begin, int column_end);
-  double pixelPitch(const std::vector<double>& coordinate) const;
 
   Parameters parameters_;
   SensorModel sensor_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Walks along rows and columns behind what is in front.
 #include "inverse_depth/region_contacts.h"
-#include "inverse_depth/region_merging.h"
 
 namespace epcc {
 
@@ -10,7 +9,7 @@ namespace {
 /// Every other line will do: contacts come in long rows.
 constexpr int kLineStep = 2;
 
-/// Looks from the end of a run of labels along its line, behind what is in front of the run's plane.
+/// Looks from both ends of a run of labels along its line, behind what is in front of the run's plane.
 class OcclusionWalk {
  public:
   OcclusionWalk(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
@@ -19,15 +18,8 @@ class OcclusionWalk {
         max_occluder_(max_occluder),
         residual_(residual),
         map_(map),
-        planes_(map.regions.size()),
-        contacts_(contacts) {
-    for (std::size_t k = 0; k < map.regions.size(); ++k) {
-      const PlaneMoments& region = map.regions[k];
-      if (region.n <= 0.0) continue;
-      planes_[k].q = region.fit(weakRidge(region)).q;
-      planes_[k].slope_factor = slopeFactor(planes_[k].q, region.meanW());
-    }
-  }
+        planes_(map.regions.begin(), map.regions.end()),
+        contacts_(contacts) {}
 
   void walkLines() {
     for (int row = 0; row < image_.height; row += kLineStep) walkLine({row, 0}, {0, 1}, image_.width);
@@ -38,42 +30,48 @@ class OcclusionWalk {
   struct Pixel {
     int row, column;
   };
-  struct Plane {
-    Eigen::Vector3d q = Eigen::Vector3d::Zero();
-    double slope_factor = 1.0;
-  };
   enum class Place { InFront, On, Behind };
 
   void walkLine(Pixel start, Pixel step, int length) {
     line_start_ = start;
     line_step_ = step;
     length_ = length;
-    int run_begin = 0;
-    for (int i = 0; i + 1 < length; ++i) {
-      const std::int32_t label = labelAt(i);
-      if (labelAt(i + 1) == label) continue;
-      if (label != 0) lookBehind(label, run_begin, i);
-      run_begin = i + 1;
+    for (int begin = 0, end = 0; begin < length; begin = end + 1) {
+      end = begin + runLength(begin, 1, length) - 1;
+      if (labelAt(begin) == 0) continue;
+      lookBehind(end, 1, end - begin + 1);
+      lookBehind(begin, -1, end - begin + 1);
     }
   }
 
-  /// Adds a contact if the run [begin, end] of `label` goes on behind what comes next.
-  void lookBehind(std::int32_t label, int begin, int end) {
-    for (int i = end + 1; i < length_; ++i) {
-      const std::int32_t here = labelAt(i);
-      const Place place = here == label ? Place::Behind : placeOf(i, label);
+  /// Adds a contact if the run that ends at `edge` goes on behind what comes next in `direction`. The longer of two
+  /// runs looks for the other, no farther than an occluder of the two can reach: the walks along a line are no longer
+  /// than a few lines together.
+  void lookBehind(int edge, int direction, int run) {
+    const std::int32_t label = labelAt(edge);
+    const int reach = static_cast<int>(2.0 * max_occluder_ * run);
+    bool occluded = false;
+    for (int hidden = 0; hidden <= reach; ++hidden) {
+      const int i = edge + direction * (hidden + 1);
+      if (i < 0 || i >= length_ || labelAt(i) == label) return;
+      const Place place = placeOf(i, label);
       if (place == Place::Behind) return;
-      if (place == Place::InFront || here == 0) continue;
-      const int seen = end + 1 - begin + runFrom(i);
-      if (i - end - 1 <= max_occluder_ * seen) addContact(end, i);
+      occluded |= place == Place::InFront;
+      if (place == Place::InFront || labelAt(i) == 0) continue;
+      const int other = runLength(i, direction, run + 1);
+      const bool longer = direction > 0 ? other <= run : other < run;
+      if (occluded && longer && hidden <= max_occluder_ * (run + other)) addContact(edge, i);
       return;
     }
   }
 
-  int runFrom(int begin) const {
-    int end = begin + 1;
-    while (end < length_ && labelAt(end) == labelAt(begin)) ++end;
-    return end - begin;
+  /// Pixels of one label from `i` on, counted up to `most`.
+  int runLength(int i, int direction, int most) const {
+    int count = 1;
+    for (int next = i + direction; count < most && next >= 0 && next < length_ && labelAt(next) == labelAt(i);
+         next += direction)
+      ++count;
+    return count;
   }
 
   void addContact(int i, int j) {
@@ -94,7 +92,7 @@ class OcclusionWalk {
     const Pixel p = pixelAt(i);
     const double w = static_cast<double>(image_.w[indexOf(p)]);
     if (!(w > 0.0)) return Place::Behind;  // a hole is no occluder
-    const Plane& plane = planes_[static_cast<std::size_t>(label) - 1];
+    const RegionPlane& plane = planes_[static_cast<std::size_t>(label) - 1];
     const double error = w - plane.q.dot(image_.ray(p.row, p.column));
     if (error * error <= residual_ * residual_ * image_.variance(w, p.row) * plane.slope_factor) return Place::On;
     return error > 0.0 ? Place::InFront : Place::Behind;
@@ -104,7 +102,7 @@ class OcclusionWalk {
   double max_occluder_;
   double residual_;
   const RegionMap& map_;
-  std::vector<Plane> planes_;
+  std::vector<RegionPlane> planes_;
   RegionContacts& contacts_;
   Pixel line_start_{0, 0}, line_step_{0, 1};  // the line that is walked
   int length_ = 0;

@@ -63,4 +63,21 @@ inline double slopeFactor(const Eigen::Vector3d& q, double mean_w) {
   return 1.0 + std::min(tan2, 25.0);
 }
 
+/// The plane of a region of many scan lines, as S4 to S8 use it. A weak ridge keeps regions of a single line solvable.
+struct RegionPlane {
+  Eigen::Vector3d q = Eigen::Vector3d::Zero();
+  double rss = 0.0;           ///< weighted residual sum of squares, in units of sigma^2
+  double slope_factor = 1.0;  ///< see slopeFactor()
+
+  RegionPlane() = default;
+  explicit RegionPlane(const PlaneMoments& region) {
+    if (region.n <= 0.0) return;
+    const double w = region.meanW();
+    const PlaneEstimate fit = region.fit(0.25 / (w * w));
+    q = fit.q;
+    rss = fit.rss;
+    slope_factor = slopeFactor(q, w);
+  }
+};
+
 }  // namespace epcc

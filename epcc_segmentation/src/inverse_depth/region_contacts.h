@@ -41,9 +41,9 @@ using RegionContacts = std::unordered_map<RegionPair, Contact, RegionPair::Hash>
 /// Regions whose labels follow each other on a row or column across at most `bridge` unlabelled pixels.
 RegionContacts findContacts(const InverseDepthImage& image, int bridge, const RegionMap& map);
 
-/// Regions that face each other on a row or column where everything between them is nearer than the first one's plane
-/// by more than `residual` sigma, and takes no more pixels than max_occluder times those of the two: one surface,
-/// perhaps, behind an occluder.
+/// Regions that face each other on a row or column across something nearer than the plane of the longer run by more
+/// than `residual` sigma, which takes no more pixels than max_occluder times those of the two, with nothing farther
+/// away between: one surface, perhaps, behind an occluder.
 RegionContacts findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual,
                                     const RegionMap& map);
 

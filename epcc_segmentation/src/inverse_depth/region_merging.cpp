@@ -34,33 +34,17 @@ struct Candidate {
   }
 };
 
-/// A region with its own plane, which many pairs ask for.
-struct FittedRegion {
-  const PlaneMoments* moments = nullptr;
-  Eigen::Vector3d q = Eigen::Vector3d::Zero();
-  double rss = 0.0;
-
-  explicit FittedRegion(const PlaneMoments& region) : moments(&region) { refit(); }
-  void refit() {
-    if (moments->n <= 0.0) return;
-    const PlaneEstimate fit = moments->fit(weakRidge(*moments));
-    q = fit.q;
-    rss = fit.rss;
-  }
-};
-
 /// Cost of a merge, <= 1 to merge: RSS increase over what offset and correlation allow.
-double mergeCost(const FittedRegion& a, const FittedRegion& b, const Contact& contact,
-                 const MergingParameters& parameters, double pixels_per_sample) {
-  PlaneMoments merged = *a.moments;
-  merged += *b.moments;
-  const PlaneEstimate fit = merged.fit(weakRidge(merged));
-  const double slope_factor = slopeFactor(fit.q, merged.meanW());
-  const double smaller = std::min(a.moments->n, b.moments->n);
+double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const RegionPlane& plane_a, const RegionPlane& plane_b,
+                 const Contact& contact, const MergingParameters& parameters, double pixels_per_sample) {
+  PlaneMoments merged = a;
+  merged += b;
+  const RegionPlane plane(merged);
+  const double smaller = std::min(a.n, b.n);
 
   // A step along the common border keeps two surfaces apart, however small one of them is.
-  const Eigen::Vector3d difference = a.q - b.q;
-  const double step2 = difference.dot(contact.rays * difference) / (contact.count * slope_factor);
+  const Eigen::Vector3d difference = plane_a.q - plane_b.q;
+  const double step2 = difference.dot(contact.rays * difference) / (contact.count * plane.slope_factor);
   if (step2 > parameters.max_step * parameters.max_step) return std::numeric_limits<double>::infinity();
 
   // Two planes that compete for the same pixels all along (a ragged border) differ by the error, not by the scene;
@@ -71,7 +55,7 @@ double mergeCost(const FittedRegion& a, const FittedRegion& b, const Contact& co
     offset *= std::clamp(raggedness / parameters.ragged_border, 1.0, parameters.max_ragged_gain);
   }
   const double tolerance = parameters.fragment_tolerance * pixels_per_sample + offset * offset * smaller;
-  return (fit.rss - a.rss - b.rss) / (tolerance * slope_factor);
+  return (plane.rss - plane_a.rss - plane_b.rss) / (tolerance * plane.slope_factor);
 }
 
 class Merger {
@@ -84,8 +68,8 @@ class Merger {
         version_(map.regions.size() + 1, 0),
         parent_(map.regions.size() + 1) {
     for (std::size_t k = 0; k < parent_.size(); ++k) parent_[k] = static_cast<std::int32_t>(k);
-    fitted_.reserve(map.regions.size());
-    for (const PlaneMoments& region : map.regions) fitted_.emplace_back(region);
+    planes_.reserve(map.regions.size());
+    for (const PlaneMoments& region : map.regions) planes_.emplace_back(region);
   }
 
   void run() {
@@ -114,11 +98,11 @@ class Merger {
  private:
   static std::size_t index(std::int32_t label) { return static_cast<std::size_t>(label); }
   PlaneMoments& region(std::int32_t label) { return map_.regions[index(label) - 1]; }
-  FittedRegion& fitted(std::int32_t label) { return fitted_[index(label) - 1]; }
+  RegionPlane& plane(std::int32_t label) { return planes_[index(label) - 1]; }
 
   void consider(std::int32_t a, std::int32_t b, const Contact& contact) {
     if (contact.count < parameters_.min_contacts) return;
-    const double cost = mergeCost(fitted(a), fitted(b), contact, parameters_, pixels_per_sample_);
+    const double cost = mergeCost(region(a), region(b), plane(a), plane(b), contact, parameters_, pixels_per_sample_);
     if (cost > 1.0) return;
     if (a > b) std::swap(a, b);
     queue_.push({cost, a, b, version_[index(a)], version_[index(b)]});
@@ -128,7 +112,7 @@ class Merger {
   void merge(std::int32_t a, std::int32_t b) {
     region(a) += region(b);
     region(b) = PlaneMoments();
-    fitted(a).refit();
+    plane(a) = RegionPlane(region(a));
     parent_[index(b)] = a;
     ++version_[index(a)];
     ++version_[index(b)];
@@ -145,7 +129,7 @@ class Merger {
   const MergingParameters& parameters_;
   double pixels_per_sample_;
   RegionMap& map_;
-  std::vector<FittedRegion> fitted_;
+  std::vector<RegionPlane> planes_;  // of the regions, kept, for many pairs ask for them
   Neighbours contacts_;
   std::vector<int> version_;
   std::vector<std::int32_t> parent_;
@@ -153,11 +137,6 @@ class Merger {
 };
 
 }  // namespace
-
-double weakRidge(const PlaneMoments& moments) {
-  const double w = moments.meanW();
-  return 0.25 / (w * w);
-}
 
 void mergeRegions(const RegionContacts& contacts, const MergingParameters& parameters, const SensorModel& sensor,
                   RegionMap& map) {

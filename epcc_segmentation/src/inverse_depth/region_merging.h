@@ -15,7 +15,4 @@ void mergeRegions(const RegionContacts& contacts, const MergingParameters& param
 /// Unlabels the regions with fewer than min_samples independent samples.
 void dropSmallRegions(const MergingParameters& parameters, const SensorModel& sensor, RegionMap& map);
 
-/// A weak ridge that keeps one-line regions solvable.
-double weakRidge(const PlaneMoments& moments);
-
 }  // namespace epcc

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inverse_depth/region_merging.h"
-
 namespace epcc {
 
 namespace {
@@ -37,7 +35,9 @@ class RegionView {
     const double depth = sine_ * middle.x() + cosine_ * middle.z();
     u0_ = (cosine_ * middle.x() - sine_ * middle.z()) / depth;
     v0_ = middle.y() / depth;
-    q_ = region.fit(weakRidge(region)).q;
+    const RegionPlane plane(region);
+    q_ = plane.q;
+    slope_factor_ = plane.slope_factor;
     stride_ = std::max(1, static_cast<int>(std::sqrt(region.n / kSamples)));
     normal_ = {cosine_ * q_.x() - sine_ * q_.z(), q_.y(), sine_ * q_.x() + cosine_ * q_.z()};
   }
@@ -65,10 +65,10 @@ class RegionView {
     for (int i = 0, k = 0; i < 6; ++i)
       for (int j = 0; j <= i; ++j) normal_matrix(i, j) = normal_matrix(j, i) = products_[k++];
     const Terms c = normal_matrix.ldlt().solve(right_side_);
-    const double pixels_per_sample = stride_ * stride_;
+    const double scale = stride_ * stride_ / slope_factor_;
     Bending result;
-    result.rss = pixels_per_sample * rss_;
-    result.gain = std::min(result.rss, pixels_per_sample * c.dot(right_side_));
+    result.rss = scale * rss_;
+    result.gain = std::min(result.rss, scale * c.dot(right_side_));
     // The surface is F = z w(x/z, y/z) - 1 = 0 with gradient `normal` and, in the middle, second derivatives
     // J^T H J / z, J = z d(u, v) / d(x, y, z). Its second fundamental form is their restriction to the tangents.
     Eigen::Matrix2d hessian;
@@ -89,6 +89,7 @@ class RegionView {
   double sine_ = 0.0, cosine_ = 1.0, u0_ = 0.0, v0_ = 0.0, rss_ = 0.0;
   Eigen::Vector3d q_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  // q in the turned camera: the plane's normal / distance
+  double slope_factor_ = 1.0;
   int stride_ = 1;
   double products_[21] = {};  // lower triangle of the sum of terms terms^T
   Terms right_side_ = Terms::Zero();

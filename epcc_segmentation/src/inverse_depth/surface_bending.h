@@ -8,11 +8,12 @@
 
 namespace epcc {
 
-/// What a quadratic surface w(u, v) explains of a region's residuals from its plane.
+/// What a quadratic surface w(u, v) explains of a region's residuals from its plane; squares in sigma^2 across the
+/// surface.
 struct Bending {
   double curvature = 0.0;  ///< largest principal curvature, absolute, 1/m
-  double gain = 0.0;       ///< residual sum of squares that the quadratic terms take away, in sigma^2
-  double rss = 0.0;        ///< residual sum of squares of the plane, in sigma^2
+  double gain = 0.0;       ///< residual sum of squares that the quadratic terms take away
+  double rss = 0.0;        ///< residual sum of squares of the plane
 };
 
 /// Measures the regions k with wanted[k] != 0; the others stay zero. One pass over the pixels.

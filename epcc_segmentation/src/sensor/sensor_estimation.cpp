@@ -32,17 +32,11 @@ bool isWhite(const std::array<double, kLags.size()>& correlation, int block_size
   return block_size < 32 ? correlation[0] < 0.30 : correlation[0] < 0.45 || correlation[1] < 0.35;
 }
 
-/// Change of the ray's coordinate per column.
-double pixelPitch(const InverseDepthImage& image) {
-  const auto [first, last] = std::minmax_element(image.across.begin(), image.across.end());
-  return image.width > 1 ? (*last - *first) / (image.width - 1) : 0.0;
-}
-
 /// What the model is to say at the bin. Three errors: what is seen; at least the quantisation of the depth, which flat
 /// blocks may hide; and the place of a value, which is known to a blotch, or a pixel, on surfaces of any slope.
-double targetSigma(const DepthBin& bin, const Blotches& blotches, double pitch) {
-  const double seen = std::max(bin.r * blotches.errorOverResidual(), evenDeviation(bin.step));
-  return std::hypot(kSigmaOverError * seen, evenDeviation(blotches.length * pitch * bin.depth));
+double targetSigma(const DepthBin& bin, double error_over_residual, double patch) {
+  const double seen = std::max(bin.r * error_over_residual, evenDeviation(bin.step));
+  return std::hypot(kSigmaOverError * seen, evenDeviation(patch * bin.depth));
 }
 
 /// Zero and kGrid - 1 values evenly spaced on a logarithmic scale.
@@ -55,7 +49,9 @@ std::vector<double> logGrid(double low, double high) {
 // Below the median of the bins: clutter only enlarges them.
 void fitSigma(const std::vector<DepthBin>& bins, const Blotches& blotches, double pitch, SensorEstimate& estimate) {
   std::vector<double> targets;
-  for (const auto& bin : bins) targets.push_back(std::log(targetSigma(bin, blotches, pitch)));
+  const double error_over_residual = blotches.errorOverResidual();
+  for (const auto& bin : bins)
+    targets.push_back(std::log(targetSigma(bin, error_over_residual, blotches.length * pitch)));
   const auto grid = logGrid(1e-4, 0.03);
   double best = std::numeric_limits<double>::infinity();
   for (const double a : grid)
@@ -105,7 +101,7 @@ SensorEstimate estimateSensor(const DepthFrame& frame) {
         std::max(kShortestBlotch, std::min(kLengthOverFit * blotches.length, kLongestOfImage * longer_side));
   }
   if (estimate.noise_class != NoiseClass::Long) guardAgainstClutter(image, size, bins);
-  fitSigma(bins, blotches, pixelPitch(image), estimate);
+  fitSigma(bins, blotches, pixelPitch(image.across), estimate);
   return estimate;
 }
 
