@@ -7,7 +7,6 @@
 #include <charconv>
 #include <filesystem>
 
-#include "datasets/dataset_registry.h"
 #include "datasets/folder_listing.h"
 #include "datasets/input_error.h"
 #include "datasets/sun_raster.h"
@@ -15,8 +14,6 @@
 namespace epcc {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 const char kRange[] = ".range";
 const char kLabels[] = ".gt-seg";
@@ -59,17 +56,15 @@ bool isAbwFolder(const std::string& folder) {
 }
 
 AbwFolder::AbwFolder(const std::string& folder)
-    : folder_(folder), dataset_(folderName(folder)), names_(filesEndingIn(folder, kRange)) {
-  if (names_.empty()) throw InputError(folder, "folder", "has no image NAME.range");
-}
+    : NamedFrames(folder, filesEndingIn(folder, kRange), "image NAME.range") {}
 
 LabelledFrame AbwFolder::read(std::size_t index) const {
   LabelledFrame frame;
-  frame.name = names_.at(index);
-  const std::string path = (fs::path(folder_) / (frame.name + kRange)).string();
-  const Calibration calibration = calibrationOf(path, frame.name);
-  const Image<std::uint8_t> grey = readSunRaster(path);
-  if (grey.width != kSide || grey.height != kSide) throw InputError(path, "size", "is not 512x512");
+  frame.name = name(index);
+  const std::string range_path = path(index, kRange);
+  const Calibration calibration = calibrationOf(range_path, frame.name);
+  const Image<std::uint8_t> grey = readSunRaster(range_path);
+  if (grey.width != kSide || grey.height != kSide) throw InputError(range_path, "size", "is not 512x512");
   frame.camera.camera = {kSide, kSide, calibration.fx, kAspect * calibration.fx, kCentre, kCentre};
   frame.camera.depth_scale = kDepthUnit;
   frame.camera.noise = "structured-light";
@@ -77,9 +72,9 @@ LabelledFrame AbwFolder::read(std::size_t index) const {
   for (std::size_t i = 0; i < grey.data.size(); ++i)
     if (grey.data[i] != 0)
       frame.depth.data[i] = static_cast<float>(0.001 * (grey.data[i] / calibration.scale + calibration.offset));
-  const std::string labels_path = (fs::path(folder_) / (frame.name + kLabels)).string();
+  const std::string labels_path = path(index, kLabels);
   std::error_code code;
-  if (!fs::exists(labels_path, code)) return frame;
+  if (!std::filesystem::exists(labels_path, code)) return frame;
   frame.labels = readSegcompLabels(labels_path);
   if (frame.labels.width != kSide || frame.labels.height != kSide)
     throw InputError(labels_path, "size", "is not 512x512");

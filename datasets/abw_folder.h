@@ -3,9 +3,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "datasets/frame_source.h"
+#include "datasets/named_frames.h"
 
 namespace epcc {
 
@@ -13,19 +12,11 @@ namespace epcc {
 bool isAbwFolder(const std::string& folder);
 
 /// Frames NAME.range in the order of their numbers; those without NAME.gt-seg are unlabelled.
-class AbwFolder : public FrameSource {
+class AbwFolder : public NamedFrames {
  public:
   /// Throws InputError for a folder that cannot be listed or has no frame.
   explicit AbwFolder(const std::string& folder);
-  const std::string& dataset() const override { return dataset_; }
-  std::size_t size() const override { return names_.size(); }
-  std::string name(std::size_t index) const override { return names_.at(index); }
   LabelledFrame read(std::size_t index) const override;
-
- private:
-  std::string folder_;
-  std::string dataset_;
-  std::vector<std::string> names_;
 };
 
 }  // namespace epcc

@@ -66,10 +66,10 @@ Named takeApart(const std::string& text) {
   return named;
 }
 
-std::string formatNames() {
-  std::string names;
-  for (const DatasetFormat& format : datasetFormats()) names += (names.empty() ? "" : ", ") + format.name;
-  return names;
+std::string listOfFormats() {
+  std::string list;
+  for (const std::string& name : formatNames()) list += (list.empty() ? "" : ", ") + name;
+  return list;
 }
 
 }  // namespace
@@ -91,10 +91,16 @@ const std::vector<DatasetFormat>& datasetFormats() {
   return formats;
 }
 
+std::vector<std::string> formatNames() {
+  std::vector<std::string> names;
+  for (const DatasetFormat& format : datasetFormats()) names.push_back(format.name);
+  return names;
+}
+
 std::unique_ptr<FrameSource> openDataset(const std::string& text) {
   const Named named = takeApart(text);
   if (!named.unknown.empty())
-    throw InputError(text, "format", "there is none called '" + named.unknown + "', only " + formatNames());
+    throw InputError(text, "format", "there is none called '" + named.unknown + "', only " + listOfFormats());
   if (named.format != nullptr) return named.format->open(named.path);
   std::error_code code;
   if (!fs::exists(text, code)) throw InputError(text, "folder", "does not exist");
@@ -102,7 +108,7 @@ std::unique_ptr<FrameSource> openDataset(const std::string& text) {
     if (format.recognises(text)) return format.open(text);
   throw InputError(text, "folder",
                    "has no frame NAME_depth.png and is none of the known data sets; FORMAT:FOLDER names the format (" +
-                       formatNames() + ")");
+                       listOfFormats() + ")");
 }
 
 std::string folderName(const std::string& text) {

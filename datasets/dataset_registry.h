@@ -23,6 +23,9 @@ struct DatasetFormat {
 /// All formats, in the order in which they are tried on a folder that comes without a format.
 const std::vector<DatasetFormat>& datasetFormats();
 
+/// Their names.
+std::vector<std::string> formatNames();
+
 /// Opens PATH, whose format is found out from its contents, or FORMAT:PATH. Something that exists under the whole name
 /// is a PATH. Throws InputError in one line: unknown format, nothing recognised, or what the format finds wrong.
 std::unique_ptr<FrameSource> openDataset(const std::string& text);

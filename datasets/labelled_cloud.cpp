@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "datasets/dataset_registry.h"
 #include "datasets/folder_listing.h"
 #include "datasets/input_error.h"
 #include "datasets/organized_pcd.h"
@@ -74,8 +73,6 @@ LabelledFrame readLabelledCloud(const std::string& folder, const std::string& na
 }
 
 LabelledCloudFolder::LabelledCloudFolder(const std::string& folder)
-    : folder_(folder), dataset_(folderName(folder)), names_(filesEndingIn(folder, ".pcd")) {
-  if (names_.empty()) throw InputError(folder, "folder", "has no cloud NAME.pcd");
-}
+    : NamedFrames(folder, filesEndingIn(folder, ".pcd"), "cloud NAME.pcd") {}
 
 }  // namespace epcc

@@ -3,9 +3,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "datasets/frame_source.h"
+#include "datasets/named_frames.h"
 
 namespace epcc {
 
@@ -17,19 +16,11 @@ namespace epcc {
 LabelledFrame readLabelledCloud(const std::string& folder, const std::string& name);
 
 /// A folder of such clouds, in the order of their names.
-class LabelledCloudFolder : public FrameSource {
+class LabelledCloudFolder : public NamedFrames {
  public:
   /// Throws InputError for a folder that cannot be listed or has no cloud.
   explicit LabelledCloudFolder(const std::string& folder);
-  const std::string& dataset() const override { return dataset_; }
-  std::size_t size() const override { return names_.size(); }
-  std::string name(std::size_t index) const override { return names_.at(index); }
-  LabelledFrame read(std::size_t index) const override { return readLabelledCloud(folder_, names_.at(index)); }
-
- private:
-  std::string folder_;
-  std::string dataset_;
-  std::vector<std::string> names_;
+  LabelledFrame read(std::size_t index) const override { return readLabelledCloud(folder(), name(index)); }
 };
 
 }  // namespace epcc

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "datasets/dataset_registry.h"
 #include "datasets/folder_listing.h"
 #include "datasets/input_error.h"
 #include "datasets/sun_raster.h"
@@ -104,8 +103,7 @@ bool isPerceptronFolder(const std::string& folder) {
 }
 
 PerceptronFolder::PerceptronFolder(const std::string& folder)
-    : folder_(folder), dataset_(folderName(folder)), names_(filesThat(folder, isScan)) {
-  if (names_.empty()) throw InputError(folder, "folder", "has no scan perc.test.N or perc.train.N");
+    : NamedFrames(folder, filesThat(folder, isScan), "scan perc.test.N or perc.train.N") {
   const std::string unit = (fs::path(folder) / kUnitFile).string();
   std::error_code code;
   if (!fs::exists(unit, code))
@@ -116,10 +114,10 @@ PerceptronFolder::PerceptronFolder(const std::string& folder)
 
 LabelledFrame PerceptronFolder::read(std::size_t index) const {
   LabelledFrame frame;
-  frame.name = names_.at(index);
-  const auto ranges = readRanges((fs::path(folder_) / frame.name).string());
+  frame.name = name(index);
+  const auto ranges = readRanges(path(index, ""));
   LabelImage labels;
-  const std::string labels_path = (fs::path(folder_) / (frame.name + kLabels)).string();
+  const std::string labels_path = path(index, kLabels);
   std::error_code code;
   if (fs::exists(labels_path, code)) {
     labels = readSegcompLabels(labels_path);

@@ -4,9 +4,8 @@
 
 #include <Eigen/Core>
 #include <string>
-#include <vector>
 
-#include "datasets/frame_source.h"
+#include "datasets/named_frames.h"
 
 namespace epcc {
 
@@ -23,19 +22,13 @@ bool isPerceptronFolder(const std::string& folder);
 /// The rows of a scan are planar sections, its columns cones. A spherical scan has it the other way round, so a frame
 /// is the scan turned by a quarter: pixel (row, column) of the scan is at row `column`, column 511 - `row` of the
 /// frame.
-class PerceptronFolder : public FrameSource {
+class PerceptronFolder : public NamedFrames {
  public:
   /// Throws InputError for a folder that cannot be listed, has no frame or no perceptron.json.
   explicit PerceptronFolder(const std::string& folder);
-  const std::string& dataset() const override { return dataset_; }
-  std::size_t size() const override { return names_.size(); }
-  std::string name(std::size_t index) const override { return names_.at(index); }
   LabelledFrame read(std::size_t index) const override;
 
  private:
-  std::string folder_;
-  std::string dataset_;
-  std::vector<std::string> names_;
   double metres_per_unit_ = 0.0;
 };
 
