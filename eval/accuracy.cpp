@@ -8,11 +8,13 @@
 #include <memory>
 
 #include "baselines/epcc_segmenter.h"
+#include "datasets/dataset_registry.h"
 #include "datasets/input_error.h"
 #include "datasets/scene.h"
 #include "eval/evaluation_files.h"
 #include "eval/evaluation_report.h"
 #include "eval/frame_copies.h"
+#include "eval/problem_list.h"
 #include "eval/rendered_scenes.h"
 #include "eval/step_frames.h"
 
@@ -49,10 +51,7 @@ Sources openDatasets(const std::string& folder, std::vector<std::string>& proble
   for (const std::string& name : accuracyDatasets()) {
     const std::string path = (std::filesystem::path(folder) / name).string();
     try {
-      if (name == kScans)
-        sources.push_back(std::make_unique<LabelledCloudFolder>(path));
-      else
-        sources.push_back(std::make_unique<NativeFolder>(path));
+      sources.push_back(openDataset(path));
     } catch (const InputError& error) {
       problems.emplace_back(error.what());
     }
@@ -124,9 +123,8 @@ class AccuracyRun {
         result_.all.add(record);
         addFrameRow(record, result_.rows);
         if (take) take(record);
-        if (!record.error.empty())
-          result_.problems.push_back(record.dataset + "/" + record.frame + ": " + record.method + ": " + record.error);
       }
+      for (const std::string& problem : frameProblems(records)) result_.problems.push_back(problem);
       if (progress_) progress_(++done_, total_);
     };
     runExperiment(listJobs(sources), methodsOf(methods), {{}, options_.jobs}, done, in_order);

@@ -2,23 +2,19 @@
 // Reads the command line, runs the accuracy experiments, prints the tables and renews them in the page.
 #include "eval/accuracy_command.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <ostream>
-#include <thread>
 
 #include "datasets/atomic_file.h"
 #include "datasets/input_error.h"
 #include "eval/accuracy.h"
 #include "eval/accuracy_report.h"
+#include "eval/command_line.h"
 #include "eval/eval_progress.h"
-#include "eval/segment_options.h"
 
 namespace epcc {
 
@@ -51,20 +47,7 @@ std::optional<int> parse(int argc, const char* const* argv, CommandOptions& opti
   app.add_option("--jobs", accuracy.jobs, "Frames at a time, 0 = one a core (1; more disturb the times)")
       ->type_name("J")
       ->check(CLI::Range(0, 1024));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    out << app.help();
-    return kExitDone;
-  } catch (const CLI::CallForVersion& version) {
-    out << version.what() << '\n';
-    return kExitDone;
-  } catch (const CLI::ParseError& error) {
-    err << "epcc_accuracy: " << printable(error.what(), 1000) << " (see epcc_accuracy --help)\n";
-    return kExitUsage;
-  }
-  if (accuracy.jobs == 0) accuracy.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return std::nullopt;
+  return parseCommandLine(app, argc, argv, out, err, [&] { accuracy.jobs = threadsFor(accuracy.jobs); });
 }
 
 std::string readPage(const std::string& path) {
@@ -75,14 +58,8 @@ std::string readPage(const std::string& path) {
 }
 
 AccuracyResult measure(const AccuracyOptions& options, std::ostream& err) {
-  std::unique_ptr<EvalProgress> line;
-  const auto show = [&](std::size_t done, std::size_t total) {
-    if (!line) line = std::make_unique<EvalProgress>(total, err, isatty(STDERR_FILENO) != 0);
-    line->show(done);
-  };
-  AccuracyResult result = runAccuracy(options, show);
-  if (line) line->clear();
-  return result;
+  EvalProgress progress(err);
+  return runAccuracy(options, [&](std::size_t done, std::size_t total) { progress.show(done, total); });
 }
 
 /// The page is read before the work and written after it: a page that cannot be used costs no waiting.
@@ -100,8 +77,6 @@ int runAccuracyCommand(const CommandOptions& options, std::ostream& out, std::os
   const std::vector<NamedTable> tables = accuracyTables(result);
   writeTextFile((std::filesystem::path(options.accuracy.out) / "frames.csv").string(), csvTable(result.rows));
   for (const auto& [name, table] : tables) out << name << '\n' << textTable(table) << '\n';
-  out << std::flush;
-  if (!out) throw OutputError("standard output", "tables", "cannot be written");
   for (const std::string& problem : result.problems) err << "epcc_accuracy: " << printable(problem, 2000) << '\n';
   if (!result.problems.empty()) return kExitInput;
   if (!options.page.empty()) writeTextFile(options.page, pageWithTables(page, tables, options.page));
@@ -113,15 +88,7 @@ int runAccuracyCommand(const CommandOptions& options, std::ostream& out, std::os
 int accuracyMain(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   CommandOptions options;
   if (const auto done = parse(argc, argv, options, out, err)) return *done;
-  try {
-    return runAccuracyCommand(options, out, err);
-  } catch (const OutputError& error) {
-    err << "epcc_accuracy: " << error.what() << '\n';
-    return kExitOutput;
-  } catch (const InputError& error) {
-    err << "epcc_accuracy: " << error.what() << '\n';
-    return kExitInput;
-  }
+  return runProgram("epcc_accuracy", out, err, [&] { return runAccuracyCommand(options, out, err); });
 }
 
 }  // namespace epcc

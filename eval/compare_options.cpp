@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <ostream>
 #include <sstream>
-#include <thread>
 
 #include "datasets/input_error.h"
 #include "datasets/scene.h"
-#include "eval/segment_options.h"
+#include "eval/command_line.h"
 #include "eval/study_catalogue.h"
 
 namespace epcc {
@@ -33,17 +32,6 @@ struct RawOptions {
   int slow_seeds = 0;
   int jobs = 0;
 };
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-/// Throws ParseError in words.
-void require(bool condition, const std::string& problem) {
-  if (!condition) throw CLI::ValidationError(problem);
-}
 
 void settleScenes(const std::string& list, ComparisonOptions& options) {
   const std::vector<std::string> known = sceneNames();
@@ -72,7 +60,7 @@ void settle(const RawOptions& raw, bool is_study, CompareOptions& options) {
     comparison.slow_seeds = raw.slow_seeds;
   else
     comparison.slow_seeds = std::min(comparison.slow_seeds, comparison.seeds);
-  comparison.jobs = raw.jobs > 0 ? raw.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  comparison.jobs = threadsFor(raw.jobs);
   if (!is_study) return;
   require(!raw.project_default, "--default: the studies are of the paper's mode");
   const std::vector<std::string> known = studyNames();
@@ -111,20 +99,7 @@ std::optional<int> parseCompareOptions(int argc, const char* const* argv, Compar
   CLI::App* study = app.add_subcommand("study", "One of the paper's parameter studies: " + joined(studyNames()));
   study->fallthrough();
   study->add_option("NAME", raw.study, joined(studyNames()))->required()->type_name("");
-  try {
-    app.parse(argc, argv);
-    settle(raw, study->parsed(), options);
-  } catch (const CLI::CallForHelp&) {
-    out << (study->parsed() ? study->help() : app.help());
-    return kExitDone;
-  } catch (const CLI::CallForVersion& version) {
-    out << version.what() << '\n';
-    return kExitDone;
-  } catch (const CLI::ParseError& error) {
-    err << "epcc_compare: " << printable(error.what(), 1000) << " (see epcc_compare --help)\n";
-    return kExitUsage;
-  }
-  return std::nullopt;
+  return parseCommandLine(app, argc, argv, out, err, [&] { settle(raw, study->parsed(), options); });
 }
 
 }  // namespace epcc

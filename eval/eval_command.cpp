@@ -2,13 +2,13 @@
 // Opens the data sets, runs the experiment, writes the report.
 #include "eval/eval_command.h"
 
-#include <unistd.h>
-
 #include <optional>
 #include <ostream>
 #include <set>
 
+#include "datasets/dataset_registry.h"
 #include "datasets/input_error.h"
+#include "eval/command_line.h"
 #include "eval/eval_methods.h"
 #include "eval/eval_progress.h"
 #include "eval/evaluation_files.h"
@@ -17,7 +17,6 @@
 #include "eval/problem_list.h"
 #include "eval/run_folder.h"
 #include "eval/run_report.h"
-#include "eval/segment_options.h"
 
 namespace epcc {
 namespace {
@@ -75,16 +74,16 @@ FrameJobs EvalRun::shardJobs() const {
 }
 
 void EvalRun::score(const FrameJobs& jobs, const FrameDone& done, ExperimentSummary* summary) {
-  EvalProgress progress(jobs.size(), err_, isatty(STDERR_FILENO) != 0);
+  EvalProgress progress(err_);
   std::size_t frames = 0;
   const auto in_order = [&](const std::vector<FrameRecord>& records) {
     progress.clear();
     for (const std::string& problem : frameProblems(records)) say(problem);
     if (summary != nullptr)
       for (const FrameRecord& record : records) summary->add(record);
-    progress.show(++frames);
+    progress.show(++frames, jobs.size());
   };
-  progress.show(0);
+  progress.show(0, jobs.size());
   runExperiment(jobs, evalMethods(options_), {options_.noise, options_.jobs}, done, in_order);
   progress.clear();
 }
@@ -137,21 +136,14 @@ int EvalRun::exitCode(const ExperimentSummary& summary) {
 }  // namespace
 
 int runEval(const EvalOptions& options, std::ostream& out, std::ostream& err) {
-  try {
+  return runProgram("epcc_eval", out, err, [&]() -> int {
     EvalRun run(options, err);
     if (!run.openDatasets()) return kExitUsage;
     const std::optional<ExperimentSummary> summary = run.run();
     if (!summary) return kExitUsage;
-    out << summaryText(*summary) << std::flush;
-    if (!out) throw OutputError("standard output", "tables", "cannot be written");
+    out << summaryText(*summary);
     return run.exitCode(*summary);
-  } catch (const InputError& error) {
-    err << "epcc_eval: " << error.what() << '\n';
-    return kExitInput;
-  } catch (const OutputError& error) {
-    err << "epcc_eval: " << error.what() << '\n';
-    return kExitOutput;
-  }
+  });
 }
 
 int evalMain(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {

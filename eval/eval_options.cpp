@@ -8,20 +8,22 @@
 #include <ostream>
 #include <set>
 #include <sstream>
-#include <thread>
 
 #include "baselines/registry.h"
+#include "datasets/dataset_registry.h"
 #include "datasets/input_error.h"
+#include "eval/command_line.h"
 #include "eval/eval_methods.h"
 #include "eval/frame_sensor.h"
-#include "eval/segment_options.h"
 
 namespace epcc {
 namespace {
 
 constexpr const char* kDescription =
     "Scores plane segmentation methods on labelled frames.\n"
-    "DATASET is a folder of frames NAME_depth.png, NAME_labels.png, NAME.json; its name is the folder's.";
+    "DATASET is a folder: frames NAME_depth.png, NAME_labels.png, NAME.json, or a data set as distributed, whose "
+    "format\n"
+    "is found out or named, FORMAT:FOLDER (docs/formats.md). Its name in the report is the folder's.";
 
 constexpr const char* kFooter =
     "epcc_eval merge DIR... --out DIR joins shards; see epcc_eval merge --help.\n"
@@ -35,17 +37,6 @@ struct RawOptions {
   std::string methods;
   std::string shard = "1/1";
 };
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
-  return text;
-}
-
-/// Throws ParseError in words; a folder's name for a method must be usable as a folder's name in --out.
-void require(bool condition, const std::string& problem) {
-  if (!condition) throw CLI::ValidationError(problem);
-}
 
 void settleMethods(const std::string& list, EvalOptions& options) {
   if (list == "none") return;
@@ -108,15 +99,16 @@ void settle(const RawOptions& raw, EvalOptions& options) {
   require(shard.has_value(), "--shard: '" + raw.shard + "' is not I/N with I from 1 to N");
   options.shard = *shard;
   keepPredictions(options);
-  if (options.jobs == 0) options.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.jobs = threadsFor(options.jobs);
   if (options.noise.empty()) return;
   const std::string why = noiseProblem(options.noise);
   require(why.empty(), "--noise: " + why);
 }
 
 void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
-  raw.methods = joined(segmenterNames());
-  app.add_option("DATASET", raw.datasets, "Folders of labelled frames")->type_name("");
+  raw.methods = joined(segmenterNames(), ",");
+  app.add_option("DATASET", raw.datasets, "FOLDER or FORMAT:FOLDER, FORMAT one of " + joined(formatNames()))
+      ->type_name("");
   app.add_option("--methods", raw.methods, "Methods, or none (" + raw.methods + ")")->type_name("A,B,...");
   app.add_option("--predictions", raw.predictions,
                  "Label images DIR/NAME_labels.png of another program, scored as method NAME")
@@ -152,20 +144,7 @@ std::optional<int> parseEvalOptions(int argc, const char* const* argv, EvalOptio
   app.set_version_flag("--version", std::string("epcc_eval ") + EPCC_VERSION);
   RawOptions raw;
   addOptions(app, options, raw);
-  try {
-    app.parse(argc, argv);
-    settle(raw, options);
-  } catch (const CLI::CallForHelp&) {
-    out << app.help();
-    return kExitDone;
-  } catch (const CLI::CallForVersion& version) {
-    out << version.what() << '\n';
-    return kExitDone;
-  } catch (const CLI::ParseError& error) {
-    err << "epcc_eval: " << printable(error.what(), 1000) << " (see epcc_eval --help)\n";
-    return kExitUsage;
-  }
-  return std::nullopt;
+  return parseCommandLine(app, argc, argv, out, err, [&] { settle(raw, options); });
 }
 
 }  // namespace epcc

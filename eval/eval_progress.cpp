@@ -2,6 +2,8 @@
 // Rate and time left from the frames done so far.
 #include "eval/eval_progress.h"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdio>
 #include <ostream>
@@ -22,17 +24,18 @@ std::string progressText(std::size_t done, std::size_t total, double seconds) {
   return count + text;
 }
 
-EvalProgress::EvalProgress(std::size_t total, std::ostream& err, bool on)
-    : total_(total), err_(err), on_(on), start_(std::chrono::steady_clock::now()) {}
+EvalProgress::EvalProgress(std::ostream& err) : err_(err), on_(isatty(STDERR_FILENO) != 0) {}
 
-void EvalProgress::show(std::size_t done) {
+void EvalProgress::show(std::size_t done, std::size_t total) {
   if (!on_) return;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  err_ << "\r\033[K" << progressText(done, total_, seconds) << std::flush;
+  const auto now = std::chrono::steady_clock::now();
+  if (!start_) start_ = now;
+  const double seconds = std::chrono::duration<double>(now - *start_).count();
+  err_ << "\r\033[K" << progressText(done, total, seconds) << std::flush;
 }
 
 void EvalProgress::clear() {
-  if (on_) err_ << "\r\033[K" << std::flush;
+  if (on_ && start_) err_ << "\r\033[K" << std::flush;
 }
 
 }  // namespace epcc

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 namespace epcc {
@@ -12,19 +13,22 @@ namespace epcc {
 /// "12/300 frames, 4.1 per second, 1:10 left", or hours as "2:03:15 left".
 std::string progressText(std::size_t done, std::size_t total, double seconds);
 
-/// Rewrites its line on `err`; silent where `on` is false, as in a log.
+/// Rewrites its line on `err`; silent where that is no terminal, as in a log. Nothing is left of it at the end.
 class EvalProgress {
  public:
-  EvalProgress(std::size_t total, std::ostream& err, bool on);
-  void show(std::size_t done);
+  explicit EvalProgress(std::ostream& err);
+  EvalProgress(const EvalProgress&) = delete;
+  EvalProgress& operator=(const EvalProgress&) = delete;
+  ~EvalProgress() { clear(); }
+  /// The time counts from the first call.
+  void show(std::size_t done, std::size_t total);
   /// Takes the line away, before something else is written.
   void clear();
 
  private:
-  std::size_t total_;
   std::ostream& err_;
   bool on_;
-  std::chrono::steady_clock::time_point start_;
+  std::optional<std::chrono::steady_clock::time_point> start_;
 };
 
 }  // namespace epcc

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "eval/frame_source.h"
+#include "datasets/frame_source.h"
 
 namespace epcc {
 

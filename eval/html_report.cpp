@@ -4,18 +4,13 @@
 
 #include <map>
 
+#include "eval/command_line.h"
 #include "eval/evaluation_report.h"
 #include "eval/html_page.h"
 
 namespace epcc {
 
 namespace {
-
-std::string list(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
 
 std::string entry(const char* name, const std::string& text) {
   return std::string("<dt>") + name + "</dt><dd>" + escapeHtml(text) + "</dd>\n";
@@ -25,7 +20,7 @@ std::string aboutSection(const RunDescription& run, const ExperimentSummary& sum
   std::vector<std::string> datasets;
   for (const RunDataset& dataset : run.datasets)
     datasets.push_back(dataset.name + " (" + std::to_string(dataset.frames) + " frames)");
-  std::string text = "<dl>\n" + entry("Data sets", list(datasets)) + entry("Methods", list(run.methods)) +
+  std::string text = "<dl>\n" + entry("Data sets", joined(datasets)) + entry("Methods", joined(run.methods)) +
                      entry("Noise", run.noise.empty() ? "the frames' own" : run.noise);
   if (run.shard.count > 1) text += entry("Shard", run.shard.text());
   text += entry("Scored", std::to_string(summary.scored()) + " results of a method on a frame, " +

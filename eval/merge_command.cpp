@@ -8,11 +8,11 @@
 #include <ostream>
 
 #include "datasets/input_error.h"
+#include "eval/command_line.h"
 #include "eval/evaluation_report.h"
 #include "eval/problem_list.h"
 #include "eval/run_folder.h"
 #include "eval/run_report.h"
-#include "eval/segment_options.h"
 
 namespace epcc {
 
@@ -40,31 +40,22 @@ std::optional<int> parseMergeOptions(int argc, const char* const* argv, MergeOpt
   app.add_option("DIR", options.folders, "Folders that epcc_eval --out has left")->type_name("");
   app.add_option("--out", options.out, "Folder for the report")->type_name("DIR");
   app.add_flag("--strict", options.strict, "Exit code 3 if any frame could not be scored");
-  try {
-    app.parse(argc, argv);
-    if (options.folders.empty()) throw CLI::ValidationError("name at least one DIR");
-    if (options.out.empty()) throw CLI::ValidationError("name the folder of the report, --out DIR");
+  return parseCommandLine(app, argc, argv, out, err, [&] {
+    require(!options.folders.empty(), "name at least one DIR");
+    require(!options.out.empty(), "name the folder of the report, --out DIR");
     for (const std::string& folder : options.folders) {
       std::error_code error;
-      if (std::filesystem::equivalent(folder, options.out, error))
-        throw CLI::ValidationError("--out: " + options.out + " is one of the folders to be merged");
+      require(!std::filesystem::equivalent(folder, options.out, error),
+              "--out: " + options.out + " is one of the folders to be merged");
     }
-  } catch (const CLI::CallForHelp&) {
-    out << app.help();
-    return kExitDone;
-  } catch (const CLI::ParseError& error) {
-    err << "epcc_eval: merge: " << printable(error.what(), 1000) << " (see epcc_eval merge --help)\n";
-    return kExitUsage;
-  }
-  return std::nullopt;
+  });
 }
 
 int merge(const MergeOptions& options, std::ostream& out, std::ostream& err) {
   const StoredResults results = StoredResults::merged(options.folders);
   const RunFolder folder(options.out);
   const ExperimentSummary summary = writeRunReport(options.out, results, {});
-  out << summaryText(summary) << std::flush;
-  if (!out) throw OutputError("standard output", "tables", "cannot be written");
+  out << summaryText(summary);
   const long errors = summary.errors() + static_cast<long>(results.run().unusable.size());
   const std::string counts = countsOfErrors(errors, summary.scored());
   if (!counts.empty()) err << "epcc_eval: " << counts << '\n';
@@ -75,17 +66,8 @@ int merge(const MergeOptions& options, std::ostream& out, std::ostream& err) {
 
 int mergeMain(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   MergeOptions options;
-  const std::optional<int> done = parseMergeOptions(argc, argv, options, out, err);
-  if (done) return *done;
-  try {
-    return merge(options, out, err);
-  } catch (const InputError& error) {
-    err << "epcc_eval: merge: " << error.what() << '\n';
-    return kExitInput;
-  } catch (const OutputError& error) {
-    err << "epcc_eval: merge: " << error.what() << '\n';
-    return kExitOutput;
-  }
+  if (const auto done = parseMergeOptions(argc, argv, options, out, err)) return *done;
+  return runProgram("epcc_eval merge", out, err, [&] { return merge(options, out, err); });
 }
 
 }  // namespace epcc

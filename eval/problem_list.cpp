@@ -2,7 +2,7 @@
 // Lines, counts and exit codes.
 #include "eval/problem_list.h"
 
-#include "eval/segment_options.h"
+#include "eval/command_line.h"
 
 namespace epcc {
 

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <string>
 
+#include "datasets/frame_source.h"
 #include "datasets/sensor_noise.h"
-#include "eval/frame_source.h"
 
 namespace epcc {
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "datasets/frame_source.h"
 #include "eval/foremost.h"
 #include "eval/frame_score.h"
-#include "eval/frame_source.h"
 #include "eval/stored_frame.h"
 
 namespace epcc {

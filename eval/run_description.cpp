@@ -2,6 +2,7 @@
 // run.json, and what differs between two of them.
 #include "eval/run_description.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +10,7 @@
 
 #include "datasets/atomic_file.h"
 #include "datasets/input_error.h"
+#include "eval/command_line.h"
 #include "eval/eval_methods.h"
 #include "eval/text_hash.h"
 
@@ -30,9 +32,7 @@ std::string namesHash(const FrameSource& source) {
 }
 
 std::string list(const Words& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
-  return text.empty() ? "none" : text;
+  return words.empty() ? "none" : joined(words, ",");
 }
 
 std::string differs(const char* what, const std::string& there, const std::string& here) {
@@ -40,11 +40,9 @@ std::string differs(const char* what, const std::string& there, const std::strin
 }
 
 /// The texts that are not empty, one after the other.
-std::string joined(const Words& texts) {
-  std::string all;
-  for (const std::string& text : texts)
-    if (!text.empty()) all += (all.empty() ? "" : "; ") + text;
-  return all;
+std::string joinedDifferences(Words texts) {
+  texts.erase(std::remove(texts.begin(), texts.end(), ""), texts.end());
+  return joined(texts, "; ");
 }
 
 }  // namespace
@@ -109,11 +107,11 @@ RunDescription readRunDescription(const std::string& out) {
 std::string optionDifference(const RunDescription& there, const RunDescription& here) {
   const auto noise = [](const RunDescription& run) { return run.noise.empty() ? "the frames' own" : run.noise; };
   const auto overlays = [](const RunDescription& run) { return std::string(run.overlays ? "on" : "off"); };
-  return joined({differs("the version", there.program, here.program),
-                 differs("--methods", list(there.methods), list(here.methods)),
-                 differs("--predictions", list(there.predictions), list(here.predictions)),
-                 differs("--noise", noise(there), noise(here)),
-                 differs("--overlays", overlays(there), overlays(here))});
+  return joinedDifferences({differs("the version", there.program, here.program),
+                            differs("--methods", list(there.methods), list(here.methods)),
+                            differs("--predictions", list(there.predictions), list(here.predictions)),
+                            differs("--noise", noise(there), noise(here)),
+                            differs("--overlays", overlays(there), overlays(here))});
 }
 
 std::string datasetDifference(const RunDataset& there, const RunDataset& here) {
@@ -134,7 +132,7 @@ std::string datasetDifference(const RunDescription& there, const RunDescription&
   Words texts;
   for (std::size_t i = 0; i < there.datasets.size(); ++i)
     texts.push_back(datasetDifference(there.datasets[i], here.datasets[i]));
-  return joined(texts);
+  return joinedDifferences(texts);
 }
 
 }  // namespace epcc

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "datasets/frame_source.h"
 #include "eval/eval_options.h"
-#include "eval/frame_source.h"
 
 namespace epcc {
 

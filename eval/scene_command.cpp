@@ -8,9 +8,9 @@
 #include <ostream>
 
 #include "datasets/input_error.h"
+#include "eval/command_line.h"
 #include "eval/noise_report.h"
 #include "eval/scene_options.h"
-#include "eval/segment_options.h"
 
 namespace epcc {
 namespace {
@@ -45,24 +45,13 @@ void renderFrames(const SceneCommandOptions& options, std::ostream& out, std::os
 int sceneMain(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   SceneCommandOptions options;
   if (const auto done = parseSceneOptions(argc, argv, options, out, err)) return *done;
-  const auto complain = [&err](const std::string& problem, ExitCode code) {
-    err << "epcc_scene: " << problem << '\n';
-    return static_cast<int>(code);
-  };
-  try {
+  return runProgram("epcc_scene", out, err, [&] {
     if (options.measure.empty())
       renderFrames(options, out, err);
     else
       out << noiseReport(options.measure);
-  } catch (const InputError& error) {
-    return complain(error.what(), kExitInput);
-  } catch (const OutputError& error) {
-    return complain(error.what(), kExitOutput);
-  } catch (const std::exception& error) {
-    return complain(printable(error.what()), kExitInput);
-  }
-  out.flush();
-  return out ? static_cast<int>(kExitDone) : complain("standard output: cannot be written", kExitOutput);
+    return kExitDone;
+  });
 }
 
 }  // namespace epcc

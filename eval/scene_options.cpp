@@ -11,7 +11,7 @@
 
 #include "datasets/image.h"
 #include "datasets/input_error.h"
-#include "eval/segment_options.h"
+#include "eval/command_line.h"
 
 namespace epcc {
 namespace {
@@ -136,24 +136,10 @@ std::optional<int> parseSceneOptions(int argc, const char* const* argv, SceneCom
   app.set_help_flag("-h,--help", "print this help and exit");
   RawOptions raw;
   addOptions(app, raw, options);
-  const auto usage = [&err](const std::string& problem) {
-    err << "epcc_scene: " << printable(problem, 400) << "; see --help\n";
-    return kExitUsage;
-  };
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    out << app.help();
-    return kExitDone;
-  } catch (const CLI::CallForVersion& version) {
-    out << version.what() << '\n';
-    return kExitDone;
-  } catch (const CLI::ParseError& error) {
-    return usage(error.what());
-  }
-  const std::string problem = settle(raw, options);
-  if (!problem.empty()) return usage(problem);
-  return std::nullopt;
+  return parseCommandLine(app, argc, argv, out, err, [&] {
+    const std::string problem = settle(raw, options);
+    require(problem.empty(), problem);
+  });
 }
 
 }  // namespace epcc

@@ -14,6 +14,7 @@
 
 #include "datasets/input_error.h"
 #include "epcc_segmentation/plane_extractor.h"
+#include "eval/command_line.h"
 #include "eval/frame_sensor.h"
 #include "eval/plane_report.h"
 #include "eval/segment_input.h"

@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "datasets/input_error.h"
+#include "eval/command_line.h"
 #include "eval/frame_sensor.h"
 
 namespace epcc {
@@ -158,11 +159,6 @@ std::string settle(const RawOptions& raw, SegmentOptions& options) {
   return std::string();
 }
 
-int usageError(const std::string& problem, std::ostream& err) {
-  err << "epcc_segment: " << printable(problem, 1000) << " (see epcc_segment --help)\n";
-  return kExitUsage;
-}
-
 }  // namespace
 
 std::optional<int> parseSegmentOptions(int argc, const char* const* argv, SegmentOptions& options, std::ostream& out,
@@ -177,20 +173,10 @@ std::optional<int> parseSegmentOptions(int argc, const char* const* argv, Segmen
   addCameraOptions(app, options, raw);
   addMethodOptions(app, options, raw);
   addOutputOptions(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    out << app.help();
-    return kExitDone;
-  } catch (const CLI::CallForVersion& version) {
-    out << version.what() << '\n';
-    return kExitDone;
-  } catch (const CLI::ParseError& error) {
-    return usageError(error.what(), err);
-  }
-  const std::string problem = settle(raw, options);
-  if (!problem.empty()) return usageError(problem, err);
-  return std::nullopt;
+  return parseCommandLine(app, argc, argv, out, err, [&] {
+    const std::string problem = settle(raw, options);
+    require(problem.empty(), problem);
+  });
 }
 
 }  // namespace epcc

@@ -11,14 +11,6 @@
 
 namespace epcc {
 
-/// Exit codes of the programs.
-enum ExitCode {
-  kExitDone = 0,
-  kExitUsage = 2,   ///< the command line cannot be understood
-  kExitInput = 3,   ///< an input could not be used
-  kExitOutput = 4,  ///< an output could not be written
-};
-
 /// Intrinsics named on the command line; the size comes from the image.
 struct CameraNumbers {
   double fx = 0.0;

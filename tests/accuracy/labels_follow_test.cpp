@@ -6,12 +6,13 @@
 #include <iostream>
 
 #include "baselines/epcc_segmenter.h"
+#include "datasets/frame_source.h"
+#include "datasets/native_folder.h"
 #include "datasets/scene.h"
 #include "datasets/sensor_noise.h"
 #include "eval/frame_copies.h"
 #include "eval/frame_measures.h"
 #include "eval/frame_sensor.h"
-#include "eval/frame_source.h"
 #include "support/real_frames.h"
 
 namespace epcc::test {
@@ -69,10 +70,10 @@ struct Tolerance {
   double correct;  ///< share of the surfaces of the truth that are lost
 };
 
-/// Transposed, a frame gives the same planes but for a few pixels on borders, for both directions are treated alike, and
-/// for a piece of clutter now and then, where a row's and a column's plane are of the same size and the column's counts.
-/// Mirrored, close calls fall otherwise, for lines and planes grow from the first pixel on; at half the resolution
-/// three quarters of the evidence are missing.
+/// Transposed, a frame gives the same planes but for a few pixels on borders, for both directions are treated alike,
+/// and for a piece of clutter now and then, where a row's and a column's plane are of the same size and the column's
+/// counts. Mirrored, close calls fall otherwise, for lines and planes grow from the first pixel on; at half the
+/// resolution three quarters of the evidence are missing.
 void expectAgreement(const std::string& what, FrameCopy copy, const Agreement& total, Tolerance tolerance) {
   const double same = static_cast<double>(total.same) / static_cast<double>(total.pixels);
   std::cout << what << ' ' << copyName(copy) << ": " << total.matched << " of " << total.planes << " planes, " << same

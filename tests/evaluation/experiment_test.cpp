@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "datasets/input_error.h"
+#include "datasets/native_folder.h"
 #include "support/real_frames.h"
 #include "tiny_frames.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "eval/frame_source.h"
+#include "datasets/frame_source.h"
 #include "support/rendered_room.h"
 
 namespace epcc::test {
