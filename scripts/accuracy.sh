@@ -5,16 +5,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-log=build/accuracy.log
 out=results/accuracy
-mkdir -p build
-scripts/install_packages.sh
-echo "Building (a few minutes the first time)" >&2
-if ! { cmake --preset release && cmake --build --preset release --target epcc_accuracy; } >"$log" 2>&1; then
-  tail -n 30 "$log" >&2
-  echo "accuracy.sh: the build failed, see $log" >&2
-  exit 1
-fi
+scripts/prepare.sh epcc_accuracy
 build/release/bin/epcc_accuracy --out "$out" --page docs/accuracy.md "$@"
 
 # Only rendered scenes may be shown: the real frames are other people's.

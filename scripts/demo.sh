@@ -38,9 +38,8 @@ fetch_clouds() {
   rm -rf "$cache/package" "$cache"/python3-pcl_*.deb
 }
 
-scripts/install_packages.sh
+scripts/prepare.sh epcc_segment
 mkdir -p "$cache" "$out"
-quietly scripts/build.sh release
 for cloud in "${clouds[@]}"; do
   if [[ ! -s $cache/$cloud ]]; then
     quietly fetch_clouds

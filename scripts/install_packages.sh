@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the Debian packages the project needs, if any is missing; silent when all are there.
+# Installs the Debian packages the project needs, if any is missing; silent when all are there. Scripts that need more
+# than the project does name it: install_packages.sh [PACKAGE...]
 set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache git ca-certificates
   libeigen3-dev libpcl-dev libpng-dev libtbb-dev libhdf5-dev
   nlohmann-json3-dev libcli11-dev libgtest-dev libbenchmark-dev
+  "$@"
 )
 
 is_installed() {

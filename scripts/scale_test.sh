@@ -6,14 +6,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/install_packages.sh
-[[ -x /usr/bin/time ]] || DEBIAN_FRONTEND=noninteractive apt-get -qq install -y time >/dev/null
-mkdir -p build
-if ! { cmake --preset release && cmake --build --preset release --target epcc_eval epcc_scene; } >build/scale.log 2>&1; then
-  tail -n 30 build/scale.log >&2
-  echo "scale_test.sh: the build failed, see build/scale.log" >&2
-  exit 1
-fi
+scripts/install_packages.sh time
+scripts/prepare.sh epcc_eval epcc_scene
 bin=$PWD/build/release/bin
 all="epcc,epcc-paper,region-growing,ransac,omps"
 

@@ -10,24 +10,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 shards=${1:-6}
 ((EUID == 0)) || { echo "selftest.sh: Slurm's daemons need root" >&2; exit 1; }
-for package in slurmctld slurmd slurm-client munge; do
-  if [[ "$(dpkg-query -W -f='${db:Status-Abbrev}' "$package" 2>/dev/null)" != ii* ]]; then
-    echo "Installing Slurm" >&2
-    apt-get -qq update >/dev/null || true
-    DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
-      slurmctld slurmd slurm-client munge >/dev/null
-    break
-  fi
-done
-mkdir -p build
-if ! { cmake --preset release && cmake --build --preset release --target epcc_eval epcc_scene; } >build/slurm.log 2>&1; then
-  tail -n 30 build/slurm.log >&2
-  echo "selftest.sh: the build failed, see build/slurm.log" >&2
-  exit 1
-fi
+scripts/install_packages.sh slurmctld slurmd slurm-client munge
+scripts/prepare.sh epcc_eval epcc_scene
 bin=$PWD/build/release/bin
 
-dir=$(mktemp -d /tmp/epcc_slurm.XXXXXX)
+dir=$(mktemp -d)
 chmod 755 "$dir"
 pids=()
 cleanup() {
