@@ -4,35 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <sstream>
-
-#include "datasets/temp_folder.h"
+#include "support/run_tool.h"
 
 namespace epcc::test {
 namespace {
 
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-Outcome run(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "epcc_accuracy");
-  std::vector<const char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  std::ostringstream out, err;
-  const int code = accuracyMain(static_cast<int>(argv.size()), argv.data(), out, err);
-  return {code, out.str(), err.str()};
+ToolResult run(const std::vector<std::string>& arguments) {
+  return callTool(accuracyMain, "epcc_accuracy", arguments);
 }
 
 void expectFailure(const std::vector<std::string>& arguments, int code, const std::string& words) {
-  const Outcome outcome = run(arguments);
-  EXPECT_EQ(outcome.code, code) << outcome.err;
-  EXPECT_EQ(outcome.err.rfind("epcc_accuracy: ", 0), 0U) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
+  test::expectFailure(run(arguments), "epcc_accuracy", code, words);
 }
 
 class AccuracyCommand : public TempFolderTest {};
@@ -66,9 +48,9 @@ TEST_F(AccuracyCommand, MissingDataSetsAreNamedAndThePageStaysAsItIs) {
   for (const char* name : {"totals", "halves", "copies", "scenes", "steps", "frames"})
     page += std::string("<!-- table ") + name + " -->\n<!-- end of table -->\n";
   const std::string file = write("page.md", page);
-  const Outcome outcome =
+  const ToolResult outcome =
       run({"--data", path("none"), "--out", path("out"), "--page", file, "--seeds", "1", "--jobs", "2"});
-  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 6) << outcome.err;
   EXPECT_NE(outcome.err.find("none/kinect"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.out.find("stereo"), std::string::npos) << "rendered scenes need no data";

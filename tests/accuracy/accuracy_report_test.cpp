@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "datasets/temp_folder.h"
+#include "datasets/expect_errors.h"
 
 namespace epcc::test {
 namespace {

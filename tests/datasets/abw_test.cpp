@@ -8,10 +8,10 @@
 
 #include "datasets/abw_folder.h"
 #include "datasets/dataset_registry.h"
+#include "datasets/expect_errors.h"
 #include "datasets/sun_raster.h"
 #include "segcomp_files.h"
 #include "support/real_frames.h"
-#include "temp_folder.h"
 
 namespace epcc::test {
 namespace {

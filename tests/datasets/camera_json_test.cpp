@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "temp_folder.h"
+#include "datasets/expect_errors.h"
 
 namespace epcc {
 namespace {
@@ -64,7 +64,7 @@ TEST_F(CameraJsonTest, UnknownKeysAreKept) {
   const CameraFile file = read(content);
   EXPECT_EQ(file.extra.size(), 4u);
   writeCameraJson(path("b.json"), file);
-  EXPECT_EQ(json::parse(bytesOf(path("b.json"))), content);
+  EXPECT_EQ(json::parse(test::bytesOf(path("b.json"))), content);
 }
 
 TEST_F(CameraJsonTest, PlanesMayBeANumberOrAList) {

@@ -6,9 +6,9 @@
 
 #include <set>
 
+#include "datasets/expect_errors.h"
 #include "datasets/folder_listing.h"
 #include "datasets/native_folder.h"
-#include "temp_folder.h"
 
 namespace epcc::test {
 namespace {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "datasets/dataset_registry.h"
+#include "datasets/expect_errors.h"
 #include "datasets/png_io.h"
 #include "npy_bytes.h"
 #include "support/real_frames.h"
-#include "temp_folder.h"
 
 namespace epcc::test {
 namespace {

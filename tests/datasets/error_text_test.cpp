@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "datasets/camera_json.h"
+#include "datasets/expect_errors.h"
 #include "datasets/organized_pcd.h"
 #include "datasets/png_io.h"
-#include "temp_folder.h"
 
 namespace epcc {
 namespace {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/camera_json.h"
+#include "datasets/expect_errors.h"
 #include "datasets/npy_labels.h"
 #include "datasets/organized_pcd.h"
 #include "datasets/png_io.h"
@@ -19,7 +20,6 @@
 #include "pcd_text.h"
 #include "png_bytes.h"
 #include "segcomp_files.h"
-#include "temp_folder.h"
 
 namespace epcc {
 namespace {
@@ -140,7 +140,7 @@ TEST_F(FuzzTest, CompressedPcdWithBackReferences) {
   for (int i = 0; i < 12 * 10; ++i)
     xyz.insert(xyz.end(), {static_cast<float>(i % 12), static_cast<float>(i / 12), 1.0f});
   epcc::writeLabelledPcd(path("good"), 12, 10, xyz, std::vector<std::uint32_t>(120, 3));
-  const std::string good = bytesOf(path("good"));
+  const std::string good = test::bytesOf(path("good"));
   // Half of the damages hit the payload alone, which is what the header's checks would keep from being reached.
   const std::size_t header = good.find("binary_compressed\n") + 18;
   fuzz(good, readLabelledPcd, [&](test::Mutator& mutate, std::string& bytes) {

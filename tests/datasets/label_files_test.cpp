@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "datasets/depth_image_folder.h"
+#include "datasets/expect_errors.h"
 #include "datasets/npy_labels.h"
 #include "datasets/png_io.h"
 #include "npy_bytes.h"
 #include "png_bytes.h"
-#include "temp_folder.h"
 
 namespace epcc::test {
 namespace {

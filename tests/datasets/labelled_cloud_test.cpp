@@ -6,9 +6,9 @@
 
 #include <set>
 
+#include "datasets/expect_errors.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "support/real_frames.h"
-#include "temp_folder.h"
 
 namespace epcc::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "datasets/expect_errors.h"
 #include "datasets/png_io.h"
-#include "temp_folder.h"
 
 namespace epcc {
 namespace {

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <functional>
 
+#include "datasets/expect_errors.h"
 #include "datasets/organized_pcd.h"
 #include "datasets/png_io.h"
-#include "temp_folder.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define EPCC_NEED_ADDRESS_LIMIT() GTEST_SKIP() << "a sanitizer needs more address space than the test leaves"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "datasets/dataset_registry.h"
+#include "datasets/expect_errors.h"
 #include "datasets/nyu_mat.h"
 #include "datasets/png_io.h"
-#include "temp_folder.h"
 
 #ifdef EPCC_HAVE_HDF5
 #include <hdf5.h>

@@ -2,9 +2,9 @@
 // Every damaged PCD file is an InputError that names the line.
 #include <gtest/gtest.h>
 
+#include "datasets/expect_errors.h"
 #include "datasets/organized_pcd.h"
 #include "pcd_text.h"
-#include "temp_folder.h"
 
 namespace epcc {
 namespace {

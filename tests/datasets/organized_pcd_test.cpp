@@ -10,8 +10,8 @@
 #include <limits>
 #include <random>
 
+#include "datasets/expect_errors.h"
 #include "pcd_text.h"
-#include "temp_folder.h"
 
 namespace epcc {
 namespace {

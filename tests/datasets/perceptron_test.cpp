@@ -6,10 +6,10 @@
 #include <set>
 
 #include "datasets/dataset_registry.h"
+#include "datasets/expect_errors.h"
 #include "datasets/perceptron_folder.h"
 #include "epcc_segmentation/plane_extractor.h"
 #include "segcomp_files.h"
-#include "temp_folder.h"
 
 namespace epcc::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "temp_folder.h"
+#include "datasets/expect_errors.h"
 
 namespace epcc {
 namespace {
@@ -90,7 +90,7 @@ using PlaneListFileTest = test::TempFolderTest;
 
 TEST_F(PlaneListFileTest, FileHoldsTheSame) {
   writePlaneList(path("planes.json"), ring());
-  const std::string text = bytesOf(path("planes.json"));
+  const std::string text = test::bytesOf(path("planes.json"));
   EXPECT_EQ(text.back(), '\n');
   EXPECT_EQ(json::parse(text), planeListJson(ring()));
   EXPECT_EQ(names(), std::vector<std::string>{"planes.json"});

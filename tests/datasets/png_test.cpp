@@ -4,9 +4,9 @@
 
 #include <numeric>
 
+#include "datasets/expect_errors.h"
 #include "datasets/png_io.h"
 #include "png_bytes.h"
-#include "temp_folder.h"
 
 namespace epcc {
 namespace {
@@ -58,7 +58,7 @@ TEST_F(PngTest, WriterMakesBigEndianSixteenBitGray) {
   Image<std::uint16_t> image(2, 1);
   image.data = {0x1234, 0xfedc};
   writeGray16(path("a.png"), image);
-  const std::string bytes = bytesOf(path("a.png"));
+  const std::string bytes = test::bytesOf(path("a.png"));
   EXPECT_EQ(bytes.substr(0, 8), test::kPngSignature);
   EXPECT_EQ(bytes.substr(16, 10), std::string("\0\0\0\2\0\0\0\1\x10\0", 10));
 }
@@ -113,7 +113,7 @@ TEST_F(PngTest, RgbIsWrittenAsEightBitColor) {
   ColorImage image(3, 2);
   image.at(1, 2) = {1, 2, 255};
   writeRgb(path("a.png"), image);
-  const std::string bytes = bytesOf(path("a.png"));
+  const std::string bytes = test::bytesOf(path("a.png"));
   EXPECT_EQ(bytes.substr(16, 10), std::string("\0\0\0\3\0\0\0\2\x08\2", 10));
   test::expectInputError([&] { readGray16(path("a.png")); }, path("a.png"), "color type", "greyscale");
 }

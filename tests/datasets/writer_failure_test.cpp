@@ -9,10 +9,10 @@
 
 #include "datasets/atomic_file.h"
 #include "datasets/camera_json.h"
+#include "datasets/expect_errors.h"
 #include "datasets/organized_pcd.h"
 #include "datasets/plane_list.h"
 #include "datasets/png_io.h"
-#include "temp_folder.h"
 
 namespace epcc {
 namespace {
@@ -125,7 +125,7 @@ TEST_P(WriterFailureTest, ReadOnlyFolder) {
   expectFailure(path("out"), "file", "");
   ASSERT_EQ(::seteuid(user), 0);
   std::filesystem::permissions(folder(), perms::owner_all);
-  EXPECT_EQ(bytesOf(path("out")), "old");
+  EXPECT_EQ(test::bytesOf(path("out")), "old");
   EXPECT_EQ(names(), std::vector<std::string>{"out"});
 }
 
@@ -146,7 +146,7 @@ TEST_P(WriterFailureTest, DiskFullKeepsTheOldFileAndLeavesNothing) {
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   EXPECT_EQ(error.substr(0, path("out").size() + 2), path("out") + ": ");
   test::expectOneLine(error);
-  EXPECT_EQ(bytesOf(path("out")), "old");
+  EXPECT_EQ(test::bytesOf(path("out")), "old");
   EXPECT_EQ(names(), std::vector<std::string>{"out"});
 }
 
@@ -210,7 +210,7 @@ TEST_F(AtomicFileTest, RelativeNameWithoutFolder) {
   std::filesystem::current_path(folder());
   writeTextFile("plain", "text");
   std::filesystem::current_path(before);
-  EXPECT_EQ(bytesOf(path("plain")), "text");
+  EXPECT_EQ(test::bytesOf(path("plain")), "text");
 }
 
 }  // namespace

@@ -3,64 +3,37 @@
 #include "eval/scene_command.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "datasets/scene.h"
 #include "support/real_frames.h"
+#include "support/run_tool.h"
 
-namespace epcc {
+namespace epcc::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class SceneCommand : public ::testing::Test {
- protected:
-  SceneCommand() {
-    std::string pattern = (fs::temp_directory_path() / "epcc_scene_test_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) std::abort();
-    folder_ = pattern;
-  }
-  ~SceneCommand() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
+ToolResult run(const std::vector<std::string>& arguments) {
+  return callTool(sceneMain, "epcc_scene", arguments);
+}
 
-  int run(const std::vector<std::string>& arguments) {
-    std::vector<const char*> argv{"epcc_scene"};
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    out_.str("");
-    err_.str("");
-    return sceneMain(static_cast<int>(argv.size()), argv.data(), out_, err_);
-  }
-  void expectFailure(const std::vector<std::string>& arguments, int code, const std::string& words) {
-    EXPECT_EQ(run(arguments), code) << err_.str();
-    const std::string text = err_.str();
-    EXPECT_EQ(text.rfind("epcc_scene: ", 0), 0U) << text;
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
-    EXPECT_NE(text.find(words), std::string::npos) << text;
-    EXPECT_EQ(out_.str(), "");
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string bytes(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
+void expectFailure(const std::vector<std::string>& arguments, int code, const std::string& words) {
+  test::expectFailure(run(arguments), "epcc_scene", code, words);
+}
 
-  fs::path folder_;
-  std::ostringstream out_, err_;
-};
+/// Runs it to its end, without an error; what it prints.
+std::string outputOf(const std::vector<std::string>& arguments) {
+  const ToolResult result = run(arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return result.out;
+}
+
+class SceneCommand : public TempFolderTest {};
 
 TEST_F(SceneCommand, WritesFramesThatReadBack) {
-  ASSERT_EQ(run({"a", "--seed", "7", "--out", path("f")}), 0) << err_.str();
+  outputOf({"a", "--seed", "7", "--out", path("f")});
   ASSERT_EQ(listLabelledFrames(path("f")), std::vector<std::string>{"a_007"});
   const LabelledFrame read = readLabelledFrame(path("f"), "a_007"), made = renderScene("a", 7);
   EXPECT_EQ(read.labels.data, made.labels.data);
@@ -72,31 +45,28 @@ TEST_F(SceneCommand, WritesFramesThatReadBack) {
 }
 
 TEST_F(SceneCommand, GivesTheSameBytesForTheSameSeed) {
-  for (const char* folder : {"x", "y"})
-    ASSERT_EQ(run({"b", "--seed", "3", "--noise", "stereo", "--out", path(folder)}), 0) << err_.str();
+  for (const char* folder : {"x", "y"}) outputOf({"b", "--seed", "3", "--noise", "stereo", "--out", path(folder)});
   for (const char* file : {"b_003_depth.png", "b_003_labels.png", "b_003.json"}) {
-    ASSERT_FALSE(bytes(std::string("x/") + file).empty());
-    EXPECT_EQ(bytes(std::string("x/") + file), bytes(std::string("y/") + file)) << file;
+    ASSERT_FALSE(read(std::string("x/") + file).empty());
+    EXPECT_EQ(read(std::string("x/") + file), read(std::string("y/") + file)) << file;
   }
 }
 
 TEST_F(SceneCommand, TakesRangesOfSeedsAndAllScenes) {
-  ASSERT_EQ(run({"all", "--seeds", "2:3", "--out", path("f")}), 0) << err_.str();
+  outputOf({"all", "--seeds", "2:3", "--out", path("f")});
   EXPECT_EQ(listLabelledFrames(path("f")).size(), 8U);
-  ASSERT_EQ(run({"a", "--seed", "10", "--count", "3", "--out", path("g")}), 0) << err_.str();
+  outputOf({"a", "--seed", "10", "--count", "3", "--out", path("g")});
   EXPECT_EQ(listLabelledFrames(path("g")), (std::vector<std::string>{"a_010", "a_011", "a_012"}));
 }
 
 TEST_F(SceneCommand, TakesALargestSeed) {
-  ASSERT_EQ(run({"a", "--seed", "18446744073709551615", "--out", path("f")}), 0) << err_.str();
+  outputOf({"a", "--seed", "18446744073709551615", "--out", path("f")});
   EXPECT_EQ(listLabelledFrames(path("f")), std::vector<std::string>{"a_18446744073709551615"});
   expectFailure({"a", "--seed", "18446744073709551615", "--count", "2", "--out", path("f")}, 2, "--count");
 }
 
 TEST_F(SceneCommand, TakesAnotherCamera) {
-  ASSERT_EQ(
-      run({"c", "--width", "320", "--height", "200", "--fx", "170", "--noise", "white:d435i", "--out", path("f")}), 0)
-      << err_.str();
+  outputOf({"c", "--width", "320", "--height", "200", "--fx", "170", "--noise", "white:d435i", "--out", path("f")});
   const LabelledFrame frame = readLabelledFrame(path("f"), "c_000");
   EXPECT_EQ(frame.depth.width, 320);
   EXPECT_EQ(frame.depth.height, 200);
@@ -129,7 +99,7 @@ TEST_F(SceneCommand, RefusesWrongCommandLines) {
 }
 
 TEST_F(SceneCommand, SaysWhatCannotBeReadOrWritten) {
-  std::ofstream(path("file")) << "x";
+  write("file", "x");
   expectFailure({"a", "--out", path("file")}, 4, "file");
   expectFailure({"--measure-noise", path("missing")}, 3, "missing");
   fs::create_directory(path("empty"));
@@ -137,18 +107,16 @@ TEST_F(SceneCommand, SaysWhatCannotBeReadOrWritten) {
 }
 
 TEST_F(SceneCommand, HelpsAndNamesItsVersion) {
-  EXPECT_EQ(run({"--help"}), 0);
-  EXPECT_NE(out_.str().find("--noise"), std::string::npos);
-  EXPECT_EQ(run({"--version"}), 0);
-  EXPECT_EQ(out_.str().rfind("epcc_scene ", 0), 0U);
+  EXPECT_NE(outputOf({"--help"}).find("--noise"), std::string::npos);
+  EXPECT_EQ(outputOf({"--version"}).rfind("epcc_scene ", 0), 0U);
 }
 
 TEST_F(SceneCommand, MeasuresRealFrames) {
   EPCC_NEED_REAL_FRAMES("realsense");
-  ASSERT_EQ(run({"--measure-noise", test::realFolder("realsense")}), 0) << err_.str();
-  EXPECT_NE(out_.str().find("stereo-registered: 6 frames"), std::string::npos);
-  EXPECT_NE(out_.str().find("| columns, simulated |"), std::string::npos);
+  const std::string out = outputOf({"--measure-noise", realFolder("realsense")});
+  EXPECT_NE(out.find("stereo-registered: 6 frames"), std::string::npos);
+  EXPECT_NE(out.find("| columns, simulated |"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace epcc
+}  // namespace epcc::test

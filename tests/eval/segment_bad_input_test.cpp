@@ -4,16 +4,16 @@
 
 namespace {
 
-using epcc_test::SegmentToolTest;
+using epcc::test::SegmentToolTest;
 
 class SegmentBadInput : public SegmentToolTest {
  protected:
   /// Exit code 3, one line naming the file, and nothing written.
   void unusable(const std::string& input, const std::string& words = "") const {
-    const std::vector<std::string> before = list();
+    const std::vector<std::string> before = names();
     expectFailure({input, "--labels", "l.png", "--planes", "p.json", "--overlay", "o.png", "--cloud", "c.pcd"}, 3,
                   input + ": " + words);
-    EXPECT_EQ(list(), before);
+    EXPECT_EQ(names(), before);
   }
 
   std::string pcdHeader(const std::string& size, const std::string& data = "ascii") const {
@@ -137,7 +137,7 @@ TEST_F(SegmentBadInput, CloudWithWordsForNumbers) {
 
 TEST_F(SegmentBadInput, FrameWithoutDepthHasNoPlanes) {
   write("cloud.pcd", pcdHeader("WIDTH 2\nHEIGHT 2\nPOINTS 4") + "nan nan nan\nnan nan nan\nnan nan nan\nnan nan nan\n");
-  const epcc_test::ToolResult result = run({"cloud.pcd", "--labels", "l.png", "--overlay", "o.png"});
+  const epcc::test::ToolResult result = run({"cloud.pcd", "--labels", "l.png", "--overlay", "o.png"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find(" 0 planes"), std::string::npos) << result.out;
   EXPECT_TRUE(exists("l.png"));

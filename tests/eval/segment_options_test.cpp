@@ -4,8 +4,8 @@
 
 namespace {
 
-using epcc_test::SegmentToolTest;
-using epcc_test::ToolResult;
+using epcc::test::SegmentToolTest;
+using epcc::test::ToolResult;
 
 class SegmentOptions : public SegmentToolTest {
  protected:

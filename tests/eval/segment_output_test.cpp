@@ -10,8 +10,8 @@
 
 namespace {
 
-using epcc_test::SegmentToolTest;
-using epcc_test::ToolResult;
+using epcc::test::SegmentToolTest;
+using epcc::test::ToolResult;
 
 class SegmentOutput : public SegmentToolTest {
  protected:
@@ -23,14 +23,14 @@ TEST_F(SegmentOutput, WritesAllFour) {
   const ToolResult result =
       run({"room_depth.png", "--labels", "l.png", "--planes", "p.json", "--overlay", "o.png", "--cloud", "c.pcd"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const epcc::LabelImage labels = epcc::readGray16(path("l.png").string());
+  const epcc::LabelImage labels = epcc::readGray16(path("l.png"));
   EXPECT_EQ(labels.width, 64);
   EXPECT_EQ(labels.height, 48);
   EXPECT_EQ(*std::max_element(labels.data.begin(), labels.data.end()), 2);
   const auto planes = nlohmann::json::parse(read("p.json"));
   EXPECT_EQ(planes.at("planes").size(), 2U);
   EXPECT_EQ(read("o.png").substr(1, 3), "PNG");
-  const epcc::OrganizedCloud cloud = epcc::readOrganizedPcd(path("c.pcd").string(), "label");
+  const epcc::OrganizedCloud cloud = epcc::readOrganizedPcd(path("c.pcd"), "label");
   EXPECT_EQ(cloud.width, 64);
   EXPECT_EQ(cloud.height, 48);
 }
@@ -40,8 +40,8 @@ TEST_F(SegmentOutput, CloudAndDepthImageAgree) {
   ASSERT_EQ(run({"room_depth.png", "--labels", "depth.png"}).exit_code, 0);
   const ToolResult result = run({"room.pcd", "--labels", "cloud.png"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const epcc::LabelImage a = epcc::readGray16(path("depth.png").string());
-  const epcc::LabelImage b = epcc::readGray16(path("cloud.png").string());
+  const epcc::LabelImage a = epcc::readGray16(path("depth.png"));
+  const epcc::LabelImage b = epcc::readGray16(path("cloud.png"));
   long same = 0;
   for (std::size_t i = 0; i < a.data.size(); ++i) same += a.data[i] == b.data[i] ? 1 : 0;
   EXPECT_GT(same, 64 * 48 * 95 / 100);
@@ -60,7 +60,7 @@ TEST_F(SegmentOutput, CloudThatLooksAlongMinusZIsTurned) {
 TEST_F(SegmentOutput, OwnCloudIsAnInput) {
   ASSERT_EQ(run({"room_depth.png", "--cloud", "c.pcd", "--labels", "first.png"}).exit_code, 0);
   ASSERT_EQ(run({"c.pcd", "--labels", "second.png"}).exit_code, 0);
-  EXPECT_EQ(epcc::readGray16(path("first.png").string()).width, epcc::readGray16(path("second.png").string()).width);
+  EXPECT_EQ(epcc::readGray16(path("first.png")).width, epcc::readGray16(path("second.png")).width);
 }
 
 TEST_F(SegmentOutput, SeveralInputsIntoOneFolder) {
@@ -74,7 +74,7 @@ TEST_F(SegmentOutput, SeveralInputsIntoOneFolder) {
       expected.push_back(std::string(name) + kind);
     }
   }
-  EXPECT_EQ(list("deep/out"), expected);
+  EXPECT_EQ(names("deep/out"), expected);
 }
 
 TEST_F(SegmentOutput, FolderWithABadFrame) {
@@ -86,7 +86,7 @@ TEST_F(SegmentOutput, FolderWithABadFrame) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_NE(result.err.find("b_depth.png: "), std::string::npos) << result.err;
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  EXPECT_EQ(list("out").size(), 8U);
+  EXPECT_EQ(names("out").size(), 8U);
   EXPECT_FALSE(exists("out/b_labels.png"));
   EXPECT_NE(result.out.find("set/a_depth.png: "), std::string::npos);
   EXPECT_NE(result.out.find("set/c_depth.png: "), std::string::npos);
@@ -97,7 +97,7 @@ TEST_F(SegmentOutput, FolderWithAFrameWithoutCamera) {
   writeDepth("set/b_depth.png");
   const ToolResult result = run({"set", "--out", "out"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_EQ(list("out").size(), 4U);
+  EXPECT_EQ(names("out").size(), 4U);
 }
 
 TEST_F(SegmentOutput, SeveralInputsWithoutOutputs) {
@@ -125,7 +125,7 @@ TEST_F(SegmentOutput, NeverOverwritesInputs) {
   expectFailure({"room_depth.png", "--out", "."}, 2, "ground truth");
   EXPECT_EQ(read("room_depth.png"), depth);
   EXPECT_EQ(read("room.json"), camera);
-  EXPECT_EQ(list(), (Names{"room.json", "room_depth.png"}));
+  EXPECT_EQ(names(), (Names{"room.json", "room_depth.png"}));
 }
 
 TEST_F(SegmentOutput, InputsOfTheSameNameClash) {
@@ -142,7 +142,7 @@ TEST_F(SegmentOutput, OutputThatCannotBeWritten) {
   expectFailure({"room_depth.png", "--out", "file"}, 4, "file: ");
   expectFailure({"room_depth.png", "--out", "file/below"}, 4, "file/below: ");
   EXPECT_EQ(read("file"), "kept");
-  EXPECT_EQ(list(), (Names{"file", "room.json", "room_depth.png"}));
+  EXPECT_EQ(names(), (Names{"file", "room.json", "room_depth.png"}));
 }
 
 // A pipe stands for every special file: renaming onto /dev/null as root would replace the device.
@@ -157,7 +157,7 @@ TEST_F(SegmentOutput, OutputThatIsADeviceOrPipe) {
 TEST_F(SegmentOutput, OutputThatIsAFolder) {
   std::filesystem::create_directory(path("folder"));
   expectFailure({"room_depth.png", "--labels", "folder"}, 4, "folder: ");
-  EXPECT_TRUE(list("folder").empty());
+  EXPECT_TRUE(names("folder").empty());
 }
 
 }  // namespace

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Temporary folders, generated inputs, and starting the program.
+// Generated inputs, and starting the program.
 #include "tool_runner.h"
-
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
 #include "datasets/png_io.h"
 
-namespace epcc_test {
+namespace epcc::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,19 +24,6 @@ double roomDepth(int row) {
   const double wall = 2.0;
   const double down = (row - kCy) / kFocal;
   return down > 0.0 ? std::min(wall, 0.35 / down) : wall;
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
-std::string slurp(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 std::uint32_t crc32(const std::string& bytes) {
@@ -59,56 +43,13 @@ void putBigEndian(std::string& bytes, std::size_t offset, std::uint32_t value, i
 
 }  // namespace
 
-SegmentToolTest::SegmentToolTest() {
-  std::string pattern = (fs::temp_directory_path() / "epcc_segment_test_XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) std::abort();
-  folder_ = pattern;
-  fs::create_directory(folder_ / "work");
-}
-
-SegmentToolTest::~SegmentToolTest() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
-
 ToolResult SegmentToolTest::run(const std::vector<std::string>& arguments) const {
-  std::string command = "cd " + quoted(folder_.string()) + " && " + quoted(EPCC_SEGMENT);
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
-  command += " >work/out 2>work/err </dev/null";
-  const int status = std::system(command.c_str());
-  ToolResult result;
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  result.out = slurp(folder_ / "work/out");
-  result.err = slurp(folder_ / "work/err");
-  return result;
+  return runTool(EPCC_SEGMENT, arguments, folder());
 }
 
 void SegmentToolTest::expectFailure(const std::vector<std::string>& arguments, int exit_code,
                                     const std::string& words) const {
-  const ToolResult result = run(arguments);
-  EXPECT_EQ(result.exit_code, exit_code) << result.err;
-  EXPECT_EQ(result.out, "");
-  EXPECT_EQ(result.err.rfind("epcc_segment: ", 0), 0U) << result.err;
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
-}
-
-std::string SegmentToolTest::read(const std::string& name) const {
-  return slurp(path(name));
-}
-
-void SegmentToolTest::write(const std::string& name, const std::string& content) const {
-  fs::create_directories(path(name).parent_path());
-  std::ofstream(path(name), std::ios::binary) << content;
-}
-
-std::vector<std::string> SegmentToolTest::list(const std::string& folder) const {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(path(folder))) {
-    if (entry.path().filename() != "work") names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+  test::expectFailure(run(arguments), "epcc_segment", exit_code, words);
 }
 
 void SegmentToolTest::writeFrame(const std::string& name) const {
@@ -117,15 +58,15 @@ void SegmentToolTest::writeFrame(const std::string& name) const {
 }
 
 void SegmentToolTest::writeDepth(const std::string& name) const {
-  epcc::LabelImage image;
+  LabelImage image;
   image.width = kWidth;
   image.height = kHeight;
   for (int row = 0; row < kHeight; ++row) {
     const auto value = static_cast<std::uint16_t>(std::lround(1e3 * roomDepth(row)));
     image.data.insert(image.data.end(), kWidth, value);
   }
-  fs::create_directories(path(name).parent_path());
-  epcc::writeGray16(path(name).string(), image);
+  fs::create_directories(fs::path(path(name)).parent_path());
+  writeGray16(path(name), image);
 }
 
 void SegmentToolTest::writeCamera(const std::string& name, int width, int height, const std::string& more) const {
@@ -159,4 +100,4 @@ void SegmentToolTest::patchPngHeader(const std::string& name, std::size_t offset
   write(name, content);
 }
 
-}  // namespace epcc_test
+}  // namespace epcc::test

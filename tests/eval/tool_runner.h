@@ -2,40 +2,20 @@
 // Runs epcc_segment in a folder of its own on tiny inputs made on the spot.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
-namespace epcc_test {
+#include "support/run_tool.h"
 
-/// What a program left.
-struct ToolResult {
-  int exit_code = -1;
-  std::string out;
-  std::string err;
-};
+namespace epcc::test {
 
-/// A temporary folder, gone at the end of the test.
-class SegmentToolTest : public ::testing::Test {
+class SegmentToolTest : public TempFolderTest {
  protected:
-  SegmentToolTest();
-  ~SegmentToolTest() override;
-
   /// Runs the program inside the folder.
   ToolResult run(const std::vector<std::string>& arguments) const;
-  /// The same, and checks that it fails as promised: exit code, one line on stderr that starts with the program's
-  /// name and contains `words`, nothing on stdout.
+  /// The same, and checks that it fails as promised (run_tool.h).
   void expectFailure(const std::vector<std::string>& arguments, int exit_code, const std::string& words) const;
-
-  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
-  bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
-  std::string read(const std::string& name) const;
-  void write(const std::string& name, const std::string& content) const;
-  /// Names of the files in a folder below the temporary one, sorted.
-  std::vector<std::string> list(const std::string& folder = ".") const;
 
   /// NAME_depth.png of a room's corner: back wall at 2 m and floor 0.35 m below the camera, 64x48, and NAME.json.
   void writeFrame(const std::string& name) const;
@@ -45,9 +25,6 @@ class SegmentToolTest : public ::testing::Test {
   void writeCloud(const std::string& name, bool flipped = false) const;
   /// Overwrites a big-endian number or a byte of the PNG header and mends its check sum.
   void patchPngHeader(const std::string& name, std::size_t offset, std::uint32_t value, int bytes) const;
-
- private:
-  std::filesystem::path folder_;
 };
 
-}  // namespace epcc_test
+}  // namespace epcc::test

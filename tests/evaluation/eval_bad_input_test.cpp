@@ -84,7 +84,7 @@ TEST_F(EvalBadInput, MissingPredictionsAreErrorsOfTheirMethodAlone) {
 TEST_F(EvalBadInput, PredictionOfAnotherSize) {
   writeFrame("rooms", "a");
   fs::create_directory(path("theirs"));
-  epcc::writeGray16(path("theirs/a_labels.png").string(), epcc::LabelImage(8, 6, 1));
+  epcc::writeGray16(path("theirs/a_labels.png"), epcc::LabelImage(8, 6, 1));
   const auto result = run({"rooms", "--methods", "none", "--predictions", "theirs=theirs"});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_NE(result.err.find("8x6"), std::string::npos) << result.err;

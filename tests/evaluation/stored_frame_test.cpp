@@ -4,29 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-
 #include "eval/evaluation_report.h"
 #include "eval/frame_jobs.h"
 #include "eval/time_counts.h"
+#include "support/temp_folder.h"
 #include "tiny_frames.h"
 
 namespace {
 
 using namespace epcc;
-namespace fs = std::filesystem;
 
-class StoredFrames : public ::testing::Test {
- protected:
-  StoredFrames() {
-    std::string pattern = (fs::temp_directory_path() / "epcc_stored_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) std::abort();
-    out_ = pattern;
-  }
-  ~StoredFrames() override { fs::remove_all(out_); }
-  std::string out_;
-};
+class StoredFrames : public test::TempFolderTest {};
 
 TEST_F(StoredFrames, ComeBackAsTheyWere) {
   StoredFrame frame{
@@ -36,9 +24,9 @@ TEST_F(StoredFrames, ComeBackAsTheyWere) {
   m.segcomp = {6, 7, 8, 9, 10};
   m.instances = {1, 2, 11, 12, 13, 9000000000L, 15};
   m.planes = {16, 17, 18};
-  storeFrame(out_, frame);
-  EXPECT_TRUE(fs::exists(out_ + "/results/rooms/001234/567.json"));
-  const auto back = loadFrame(out_, "rooms", 1234567);
+  storeFrame(folder(), frame);
+  EXPECT_TRUE(exists("results/rooms/001234/567.json"));
+  const auto back = loadFrame(folder(), "rooms", 1234567);
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(back->file_name, "rooms/f");
   ASSERT_EQ(back->records.size(), 2U);
@@ -48,7 +36,7 @@ TEST_F(StoredFrames, ComeBackAsTheyWere) {
 }
 
 TEST_F(StoredFrames, NothingWhereThereIsNone) {
-  EXPECT_FALSE(loadFrame(out_, "rooms", 0).has_value());
+  EXPECT_FALSE(loadFrame(folder(), "rooms", 0).has_value());
 }
 
 TEST(TimeCounts, MedianOfManyTimesInTheirMicroseconds) {
