@@ -20,13 +20,10 @@ namespace {
 /// Adds up contacts. Borders come in runs, so the pair before is looked at first.
 class ContactCollector {
  public:
-  ContactCollector(const InverseDepthImage& image, const std::vector<std::int32_t>& labels, RegionContacts& contacts)
-      : image_(image), labels_(labels), contacts_(contacts) {}
+  ContactCollector(const InverseDepthImage& image, RegionContacts& contacts) : image_(image), contacts_(contacts) {}
 
-  /// Two labelled pixels that follow each other on a line.
-  void meet(int row, int column, int other_row, int other_column) {
-    const RegionPair pair(labelAt(row, column), labelAt(other_row, other_column));
-    if (pair.low == pair.high) return;
+  /// Two pixels of different regions that follow each other on a line.
+  void meet(const RegionPair& pair, int row, int column, int other_row, int other_column) {
     if (contact_ == nullptr || !(pair == pair_)) {
       pair_ = pair;
       contact_ = &contacts_[pair];  // stays where it is when others are added
@@ -34,34 +31,39 @@ class ContactCollector {
     contact_->add(image_, row, column, other_row, other_column);
   }
 
-  std::int32_t labelAt(int row, int column) const {
-    return labels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
-                   static_cast<std::size_t>(column)];
-  }
-
  private:
   const InverseDepthImage& image_;
-  const std::vector<std::int32_t>& labels_;
   RegionContacts& contacts_;
   RegionPair pair_{0, 0};
   Contact* contact_ = nullptr;
+};
+
+/// The labelled pixel last seen on a line.
+struct LastLabel {
+  std::int32_t label = 0;  ///< 0: none yet
+  int place = 0;
 };
 
 }  // namespace
 
 RegionContacts findContacts(const InverseDepthImage& image, int bridge, const RegionMap& map) {
   RegionContacts contacts;
-  ContactCollector collector(image, map.labels, contacts);
-  std::vector<int> last_row(static_cast<std::size_t>(image.width), -1);  // last labelled row of each column
+  ContactCollector collector(image, contacts);
+  const auto meets = [bridge](const LastLabel& last, std::int32_t label, int place) {
+    return last.label != label && last.label != 0 && place - last.place <= bridge + 1;
+  };
+  std::vector<LastLabel> above(static_cast<std::size_t>(image.width));
   for (int row = 0; row < image.height; ++row) {
-    int last_column = -1;
+    const std::int32_t* labels = map.labels.data() + static_cast<std::size_t>(row) * image.width;
+    LastLabel left;
     for (int column = 0; column < image.width; ++column) {
-      if (collector.labelAt(row, column) == 0) continue;
-      if (last_column >= 0 && column - last_column <= bridge + 1) collector.meet(row, column, row, last_column);
-      last_column = column;
-      int& above = last_row[static_cast<std::size_t>(column)];
-      if (above >= 0 && row - above <= bridge + 1) collector.meet(row, column, above, column);
-      above = row;
+      const std::int32_t label = labels[column];
+      if (label == 0) continue;
+      LastLabel& upper = above[static_cast<std::size_t>(column)];
+      if (meets(left, label, column)) collector.meet({left.label, label}, row, column, row, left.place);
+      if (meets(upper, label, row)) collector.meet({upper.label, label}, row, column, upper.place, column);
+      left = {label, column};
+      upper = {label, row};
     }
   }
   return contacts;

@@ -92,6 +92,9 @@ void RegionMap::accumulate(const InverseDepthImage& image) {
 }
 
 void RegionMap::relabel(const std::vector<std::int32_t>& new_label) {
+  std::size_t kept = 0;
+  while (kept < new_label.size() && new_label[kept] == static_cast<std::int32_t>(kept)) ++kept;
+  if (kept == new_label.size()) return;
   for (auto& label : labels) label = new_label[static_cast<std::size_t>(label)];
 }
 

@@ -106,16 +106,19 @@ std::vector<Bending> measureBending(const InverseDepthImage& image, const Region
       view_of[k + 1] = static_cast<std::int32_t>(views.size());
       views.emplace_back(map.regions[k], !image.planar_rows);
     }
-  for (int row = 0; row < image.height; ++row)
+  std::vector<std::uint8_t> on_grid(views.size());  // of the view's grid, the row
+  for (int row = 0; row < image.height; ++row) {
+    for (std::size_t k = 0; k < views.size(); ++k) on_grid[k] = row % views[k].stride() == 0;
     for (int column = 0; column < image.width; ++column) {
       const std::size_t pixel = static_cast<std::size_t>(row) * image.width + column;
-      const std::int32_t view = view_of[static_cast<std::size_t>(map.labels[pixel])];
-      if (view < 0) continue;
-      const int stride = views[static_cast<std::size_t>(view)].stride();
-      if (row % stride != 0 || column % stride != 0) continue;
+      const std::int32_t k = view_of[static_cast<std::size_t>(map.labels[pixel])];
+      if (k < 0 || on_grid[static_cast<std::size_t>(k)] == 0) continue;
+      RegionView& view = views[static_cast<std::size_t>(k)];
+      if (column % view.stride() != 0) continue;
       const double w = static_cast<double>(image.w[pixel]);
-      views[static_cast<std::size_t>(view)].add(image.ray(row, column), w, image.variance(w, row));
+      view.add(image.ray(row, column), w, image.variance(w, row));
     }
+  }
   std::vector<Bending> result(map.regions.size());
   for (std::size_t k = 0; k < map.regions.size(); ++k)
     if (view_of[k + 1] >= 0) result[k] = views[static_cast<std::size_t>(view_of[k + 1])].bending();
