@@ -54,6 +54,35 @@ struct PointMoments {
   }
 };
 
+/// Sums along a run of an image row. Its rays share v = y/z, so that y - y0 = v (z - z0) + c there, and the sums with y
+/// follow from the others.
+struct RowSums {
+  double one = 0.0, x = 0.0, z = 0.0, xx = 0.0, xz = 0.0, zz = 0.0;
+
+  void add(double px, double pz, double weight) {
+    const double wx = weight * px;
+    const double wz = weight * pz;
+    one += weight;
+    x += wx;
+    z += wz;
+    xx += wx * px;
+    xz += wx * pz;
+    zz += wz * pz;
+  }
+  void addTo(PointSums& sums, double v, double c) const {
+    sums.one += one;
+    sums.x += x;
+    sums.y += v * z + c * one;
+    sums.z += z;
+    sums.xx += xx;
+    sums.xy += v * xz + c * x;
+    sums.xz += xz;
+    sums.yy += v * (v * zz + 2.0 * c * z) + c * c * one;
+    sums.yz += v * zz + c * z;
+    sums.zz += zz;
+  }
+};
+
 /// Covariance of (normal, d) of the weighted orthogonal fit through `centre`: the normal tilts about the two
 /// in-plane axes, the offset moves along it. `unit_variance` is the residual variance of a point of unit weight.
 Eigen::Matrix4d coefficientsCovariance(const Eigen::Matrix3d& axes, const Eigen::Vector3d& scatter, double weight,
@@ -96,33 +125,68 @@ Plane planeOf(const PointMoments& moments, const SensorModel& sensor) {
   return plane;
 }
 
-std::vector<PointMoments> momentsOfLabels(const DepthFrame& frame, const SensorModel& sensor, int plane_count,
-                                          const std::vector<std::int32_t>& labels) {
+/// Calls visit(moments, row, first column, end) for every run of a label along a row.
+template <typename Visit>
+std::vector<PointMoments> forEachRun(const DepthFrame& frame, int plane_count, const std::vector<std::int32_t>& labels,
+                                     const Visit& visit) {
   std::vector<PointMoments> moments(static_cast<std::size_t>(plane_count));
-  const bool perspective = isPerspective(frame.projection());
-  Eigen::Vector3d p;
-  for (int row = 0; row < frame.height(); ++row) {
-    int column = 0;
-    while (column < frame.width()) {
+  for (int row = 0; row < frame.height(); ++row)
+    for (int column = 0, end = 0; column < frame.width(); column = end) {
       const std::int32_t label = labels[frame.index(row, column)];
-      if (label <= 0) {
-        ++column;
-        continue;
-      }
-      // A run of one label is summed in registers.
-      PointMoments run = moments[static_cast<std::size_t>(label - 1)];
-      for (; column < frame.width() && labels[frame.index(row, column)] == label; ++column)
-        if (frame.point(row, column, p)) run.add(p, 1.0 / sensor.varianceZ(perspective ? std::abs(p.z()) : p.norm()));
-      moments[static_cast<std::size_t>(label - 1)] = run;
+      for (end = column + 1; end < frame.width() && labels[frame.index(row, end)] == label;) ++end;
+      if (label > 0) visit(moments[static_cast<std::size_t>(label - 1)], row, column, end);
     }
-  }
   return moments;
+}
+
+std::vector<PointMoments> momentsOfPoints(const DepthFrame& frame, const SensorModel& sensor, int plane_count,
+                                          const std::vector<std::int32_t>& labels) {
+  const bool perspective = isPerspective(frame.projection());
+  return forEachRun(frame, plane_count, labels, [&](PointMoments& moments, int row, int begin, int end) {
+    Eigen::Vector3d p;
+    PointMoments run = moments;  // summed in registers
+    for (int column = begin; column < end; ++column)
+      if (frame.point(row, column, p)) run.add(p, 1.0 / sensor.varianceZ(perspective ? std::abs(p.z()) : p.norm()));
+    moments = run;
+  });
+}
+
+/// The same of a depth image, with fewer operations.
+std::vector<PointMoments> momentsOfDepths(const DepthFrame& frame, const SensorModel& sensor, int plane_count,
+                                          const std::vector<std::int32_t>& labels) {
+  std::vector<double> across;
+  for (int column = 0; column < frame.width(); ++column) across.push_back(frame.pinholeAcross(column));
+  std::vector<float> depth(static_cast<std::size_t>(frame.width()));
+  int depth_row = -1;
+  return forEachRun(frame, plane_count, labels, [&](PointMoments& moments, int row, int begin, int end) {
+    if (depth_row != row) frame.depthRow(depth_row = row, depth.data());
+    auto column = static_cast<std::size_t>(begin);
+    while (column < static_cast<std::size_t>(end) && !(depth[column] > 0.0f)) ++column;
+    if (column == static_cast<std::size_t>(end)) return;
+    const double v = frame.pinholeAlong(row);
+    const auto first = static_cast<double>(depth[column]);
+    if (moments.plain.one == 0.0) moments.origin = first * Eigen::Vector3d(across[column], v, 1.0);
+    const Eigen::Vector3d origin = moments.origin;
+    RowSums plain, weighted;
+    for (; column < static_cast<std::size_t>(end); ++column) {
+      const auto z = static_cast<double>(depth[column]);
+      if (!(z > 0.0)) continue;
+      const double px = z * across[column] - origin.x();
+      const double pz = z - origin.z();
+      plain.add(px, pz, 1.0);
+      weighted.add(px, pz, 1.0 / sensor.varianceZ(z));
+    }
+    const double c = v * origin.z() - origin.y();
+    plain.addTo(moments.plain, v, c);
+    weighted.addTo(moments.weighted, v, c);
+  });
 }
 
 }  // namespace
 
 void fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count, PlaneSegmentation& segmentation) {
-  const std::vector<PointMoments> moments = momentsOfLabels(frame, sensor, plane_count, segmentation.labels);
+  const auto momentsOf = frame.isPinhole() && !frame.isTransposed() ? momentsOfDepths : momentsOfPoints;
+  const std::vector<PointMoments> moments = momentsOf(frame, sensor, plane_count, segmentation.labels);
   std::vector<std::size_t> order(moments.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
