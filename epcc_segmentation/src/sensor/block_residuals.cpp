@@ -21,13 +21,26 @@ constexpr double kRounding = 1e-6;  // relative, of single precision
 constexpr double kSteepest = 25.0;  // tan^2 of the angle between ray and normal
 
 struct Sample {
-  int x, y;  // pixels from the block's upper left corner
+  double x, y;  // pixels from the block's upper left corner
   double w;
+};
+
+/// The residuals of a block, row by row.
+using BlockImage = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A block and its plane.
+struct FittedBlock {
+  std::vector<double> values;  // inverse depths of a quarter of its pixels, sorted
+  BlockImage error;            // inliers' residuals, else 0
+  BlockImage inlier;           // 1 or 0
+  double measured_scale = 1.0;
+  double depth = 0.0;
+  double r = 0.0;
 };
 
 /// w = p0 x + p1 y + p2.
 double residual(const Eigen::Vector3d& plane, const Sample& s) {
-  return s.w - plane.dot(Eigen::Vector3d(s.x, s.y, 1));
+  return s.w - (plane.x() * s.x + plane.y() * s.y + plane.z());
 }
 
 std::optional<Eigen::Vector3d> fit(const std::vector<Sample>& samples, const Eigen::Vector3d& plane, double gate) {
@@ -55,23 +68,19 @@ double nextGate(const std::vector<Sample>& samples, const Eigen::Vector3d& plane
   return kGate * quantile(errors, 0.68);
 }
 
-/// Autocorrelation of the inliers' residuals, rows and columns pooled. `e` is NaN where there is no inlier.
-std::array<double, kLags.size()> autocorrelation(const std::vector<double>& e, int size, double variance) {
+/// Autocorrelation of the inliers' residuals, rows and columns pooled.
+std::array<double, kLags.size()> autocorrelation(const FittedBlock& block) {
+  const auto products = [](const BlockImage& image, int lag) {
+    const auto columns = image.cols() - lag;
+    const auto rows = image.rows() - lag;
+    return (image.leftCols(columns) * image.rightCols(columns)).sum() +
+           (image.topRows(rows) * image.bottomRows(rows)).sum();
+  };
+  const double variance = block.error.square().sum() / block.inlier.sum();
   std::array<double, kLags.size()> result{};
   for (std::size_t k = 0; k < kLags.size(); ++k) {
-    double sum = 0.0;
-    long pairs = 0;
-    const int lag = kLags[k];
-    for (int y = 0; y < size; ++y)
-      for (int x = 0; x < size; ++x) {
-        const double here = e[static_cast<std::size_t>(y * size + x)];
-        if (std::isnan(here)) continue;
-        const double right = x + lag < size ? e[static_cast<std::size_t>(y * size + x + lag)] : std::nan("");
-        const double below = y + lag < size ? e[static_cast<std::size_t>((y + lag) * size + x)] : std::nan("");
-        if (!std::isnan(right)) sum += here * right, ++pairs;
-        if (!std::isnan(below)) sum += here * below, ++pairs;
-      }
-    result[k] = pairs > 0 && variance > 0.0 ? sum / static_cast<double>(pairs) / variance : 0.0;
+    const double pairs = products(block.inlier, kLags[k]);
+    if (pairs > 0.0 && variance > 0.0) result[k] = products(block.error, kLags[k]) / pairs / variance;
   }
   return result;
 }
@@ -93,20 +102,22 @@ double pitch(const std::vector<double>& coordinate, int first, int size) {
   return std::abs(coordinate[i + static_cast<std::size_t>(size) - 1] - coordinate[i]) / (size - 1);
 }
 
-}  // namespace
-
-std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int row, int column, int size) {
+std::optional<FittedBlock> fitBlock(const InverseDepthImage& image, int row, int column, int size) {
+  FittedBlock block;
+  std::vector<double>& values = block.values;
   std::vector<Sample> all, quarter;
-  std::vector<double> values;
+  all.reserve(static_cast<std::size_t>(size * size));
+  quarter.reserve(all.capacity() / 4);
+  values.reserve(all.capacity() / 4);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
       const double w = static_cast<double>(image.w[static_cast<std::size_t>(row + y) * image.width + column + x]);
       if (!(w > 0.0)) continue;
-      all.push_back({x, y, w});
-      if (((x | y) & 1) == 0) {
-        quarter.push_back({x, y, w});
-        values.push_back(w);
-      }
+      const Sample sample = {static_cast<double>(x), static_cast<double>(y), w};
+      all.push_back(sample);
+      if (((x | y) & 1) != 0) continue;
+      quarter.push_back(sample);
+      values.push_back(w);
     }
   if (static_cast<double>(all.size()) < kFewestValid * size * size || quarter.size() < 6) return std::nullopt;
 
@@ -123,14 +134,16 @@ std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int r
   if (!full) return std::nullopt;
   plane = *full;
 
-  std::vector<double> e(static_cast<std::size_t>(size * size), std::nan(""));
+  block.error = BlockImage::Zero(size, size);
+  block.inlier = BlockImage::Zero(size, size);
   double squares = 0.0;
   double w_sum = 0.0;
   double n = 0.0;
   for (const Sample& s : all) {
     const double error = residual(plane, s);
     if (std::abs(error) > gate) continue;
-    e[static_cast<std::size_t>(s.y * size + s.x)] = error;
+    block.error(static_cast<int>(s.y), static_cast<int>(s.x)) = error;
+    block.inlier(static_cast<int>(s.y), static_cast<int>(s.x)) = 1.0;
     squares += error * error;
     w_sum += s.w;
     n += 1.0;
@@ -141,13 +154,25 @@ std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int r
   const double qu = plane.x() / std::max(pitch(image.across, column, size), 1e-9);
   const double qv = plane.y() / std::max(pitch(image.along, row, size), 1e-9);
   const double tan2 = std::min(kSteepest, (qu * qu + qv * qv) / (mean_w * mean_w));
-  const double measured_scale = image.measured_scale[static_cast<std::size_t>(row + size / 2)];
-  BlockResiduals block;
-  block.depth = 1.0 / (mean_w * measured_scale);
-  block.r = std::sqrt(squares / (n - 3.0)) * measured_scale * block.depth * block.depth / std::sqrt(1.0 + tan2);
-  block.step = smallestGap(values) * measured_scale * block.depth * block.depth;
-  block.correlation = autocorrelation(e, size, squares / n);
+  block.measured_scale = image.measured_scale[static_cast<std::size_t>(row + size / 2)];
+  block.depth = 1.0 / (mean_w * block.measured_scale);
+  block.r = std::sqrt(squares / (n - 3.0)) * block.measured_scale * block.depth * block.depth / std::sqrt(1.0 + tan2);
   return block;
+}
+
+}  // namespace
+
+std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int row, int column, int size) {
+  const auto block = fitBlock(image, row, column, size);
+  if (!block) return std::nullopt;
+  const double step = smallestGap(block->values) * block->measured_scale * block->depth * block->depth;
+  return BlockResiduals{block->depth, block->r, step, autocorrelation(*block)};
+}
+
+std::optional<double> measureBlockError(const InverseDepthImage& image, int row, int column, int size) {
+  const auto block = fitBlock(image, row, column, size);
+  if (!block) return std::nullopt;
+  return block->r;
 }
 
 }  // namespace epcc

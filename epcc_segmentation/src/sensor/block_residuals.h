@@ -24,4 +24,7 @@ struct BlockResiduals {
 /// less than 75 % of that lies on one plane.
 std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int row, int column, int size);
 
+/// Its r alone.
+std::optional<double> measureBlockError(const InverseDepthImage& image, int row, int column, int size);
+
 }  // namespace epcc

@@ -106,7 +106,8 @@ void guardAgainstClutter(const InverseDepthImage& image, int block_size, std::ve
     std::vector<double> r;
     for (const auto& block : bin.blocks)
       for (const int shift : {0, half})
-        if (const auto part = measureBlock(image, block.row + shift, block.column + shift, half)) r.push_back(part->r);
+        if (const auto error = measureBlockError(image, block.row + shift, block.column + shift, half))
+          r.push_back(*error);
     if (r.size() >= kFewestPerBin) bin.r = std::min(bin.r, kClutterGuard * quantile(r, kLowQuantile));
   }
 }
