@@ -2,6 +2,7 @@
 // S5: crease votes, then passes over the frontier.
 #include "inverse_depth/boundary_refinement.h"
 
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -174,31 +175,38 @@ class Refiner {
     Pixel pixel;
     pixel.row = static_cast<int>(index / width());
     pixel.column = static_cast<int>(index % width());
+    std::array<std::int32_t, 4> others;
+    std::size_t count = 0;
+    forEachNeighbour(pixel.row, pixel.column, [&](std::size_t n) {
+      const std::int32_t other = labels_[n];
+      if (other != 0 && other != current && planes_[static_cast<std::size_t>(other)].usable) others[count++] = other;
+    });
+    if (count == 0) return current;
     pixel.w = static_cast<double>(image_.w[index]);
     pixel.variance = image_.variance(pixel.w, pixel.row);
     pixel.inverse_sigma = 1.0 / std::sqrt(pixel.variance);
     const double current_error = current != 0 ? error(current, pixel) : parameters_.max_residual;
     double least = current_error;
     std::int32_t best = current;
-    forEachNeighbour(pixel.row, pixel.column, [&](std::size_t n) {
-      const std::int32_t other = labels_[n];
-      if (other == 0 || other == current || other == best || !planes_[static_cast<std::size_t>(other)].usable) return;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::int32_t other = others[k];
+      if (other == best) continue;
       const double e = error(other, pixel);
       if (current == 0) {
         if (e < least) least = e, best = other;
-        return;
+        continue;
       }
       switch (creaseDecision(current, other, pixel, current_error, e)) {
         case Decision::Keep:
-          return;
+          continue;
         case Decision::Flip:
           least = std::min(least, e), best = other;
-          return;
+          continue;
         case Decision::Residual:
           break;
       }
       if (e < current_error - parameters_.flip_gain && (best == current || e < least)) least = e, best = other;
-    });
+    }
     return best;
   }
 
