@@ -55,7 +55,7 @@ void addBlotches(RenderedRoom& frame, const SensorModel& sensor, double radius, 
                                            static_cast<double>(field[i]) / squares);
 }
 
-/// The estimate aims at the sensor model's sigma, 2.6 times a low quantile of the error.
+/// The estimate aims at the sensor model's sigma: 1.7 times a low quantile of white error, 2.6 times one of blotches.
 double ratioAt(double z, const epcc::SensorEstimate& estimate, const SensorModel& truth) {
   return estimate.model().sigmaZ(z) / truth.sigmaZ(z);
 }
@@ -70,8 +70,8 @@ TEST(SensorEstimation, WhiteErrorIsWhiteAndItsSizeIsFound) {
   EXPECT_EQ(estimate.correlation_length, 1.0);
   EXPECT_GT(estimate.blocks, 30u);
   for (const double z : {2.2, 2.8}) {
-    EXPECT_GT(ratioAt(z, estimate, truth), 2.0) << z;
-    EXPECT_LT(ratioAt(z, estimate, truth), 3.8) << z;
+    EXPECT_GT(ratioAt(z, estimate, truth), 1.4) << z;
+    EXPECT_LT(ratioAt(z, estimate, truth), 2.2) << z;
   }
 }
 
@@ -93,11 +93,12 @@ TEST(SensorEstimation, WhatTheBlocksAbsorbOfLongBlotchesIsAddedBack) {
   auto blotchy = grainy;
   epcc::test::addNoise(grainy, truth, 6);
   addBlotches(blotchy, truth, 8.0, 6);
-  // The fits absorb half of the variance of such blotches; what they left alone gives a ratio of 0.55.
+  // The fits absorb half of the variance of such blotches; what they left alone gives a ratio of 0.84, for sigma is
+  // 2.6 times the error of blotches and 1.7 times that of grain.
   for (const double z : {2.2, 2.8})
     EXPECT_GT(epcc::estimateSensor(blotchy.frame()).model().sigmaZ(z) /
                   epcc::estimateSensor(grainy.frame()).model().sigmaZ(z),
-              0.63)
+              0.95)
         << z;
 }
 

@@ -14,7 +14,11 @@ namespace epcc {
 
 namespace {
 
-constexpr double kSigmaOverError = 2.6;    // sigma of the model over a low quantile of the error
+// Sigma of the model over a low quantile of the error. A block's residuals tell white noise to a few percent, those of
+// blotches scatter from block to block; noise counts as blotches from this correlation with the next pixel on.
+constexpr double kSigmaOverWhite = 1.7;
+constexpr double kSigmaOverBlotches = 2.6;
+constexpr double kBlotchCorrelation = 0.3;
 constexpr double kLongCorrelation = 0.14;  // at a quarter of the block: half-size blocks would hardly see the error
 constexpr double kLengthOverFit = 1.2;     // a block shows a length of 8 px as 6.7
 constexpr double kLongestOfImage = 1.0 / 67;
@@ -32,11 +36,17 @@ bool isWhite(const std::array<double, kLags.size()>& correlation, int block_size
   return block_size < 32 ? correlation[0] < 0.30 : correlation[0] < 0.45 || correlation[1] < 0.35;
 }
 
+double sigmaOverError(double next_pixel_correlation) {
+  const double share = std::clamp(next_pixel_correlation / kBlotchCorrelation, 0.0, 1.0);
+  return kSigmaOverWhite + share * (kSigmaOverBlotches - kSigmaOverWhite);
+}
+
 /// What the model is to say at the bin. Three errors: what is seen; at least the quantisation of the depth, which flat
-/// blocks may hide; and the place of a value, which is known to a blotch, or a pixel, on surfaces of any slope.
-double targetSigma(const DepthBin& bin, double error_over_residual, double patch) {
-  const double seen = std::max(bin.r * error_over_residual, evenDeviation(bin.step));
-  return std::hypot(kSigmaOverError * seen, evenDeviation(patch * bin.depth));
+/// blocks may hide and whose terraces are blotches; and the place of a value, which is known to a blotch, or a pixel,
+/// on surfaces of any slope.
+double targetSigma(const DepthBin& bin, double sigma_over_residual, double patch) {
+  const double seen = std::max(sigma_over_residual * bin.r, kSigmaOverBlotches * evenDeviation(bin.step));
+  return std::hypot(seen, evenDeviation(patch * bin.depth));
 }
 
 /// Zero and kGrid - 1 values evenly spaced on a logarithmic scale.
@@ -47,11 +57,7 @@ std::vector<double> logGrid(double low, double high) {
 }
 
 // Below the median of the bins: clutter only enlarges them.
-void fitSigma(const std::vector<DepthBin>& bins, const Blotches& blotches, double pitch, SensorEstimate& estimate) {
-  std::vector<double> targets;
-  const double error_over_residual = blotches.errorOverResidual();
-  for (const auto& bin : bins)
-    targets.push_back(std::log(targetSigma(bin, error_over_residual, blotches.length * pitch)));
+void fitSigma(const std::vector<DepthBin>& bins, const std::vector<double>& target_sigmas, SensorEstimate& estimate) {
   const auto grid = logGrid(1e-4, 0.03);
   double best = std::numeric_limits<double>::infinity();
   for (const double a : grid)
@@ -60,7 +66,7 @@ void fitSigma(const std::vector<DepthBin>& bins, const Blotches& blotches, doubl
       double loss = 0.0;
       for (std::size_t i = 0; i < bins.size(); ++i) {
         const double z2 = bins[i].depth * bins[i].depth;
-        const double e = targets[i] - 0.5 * std::log(a * a + b * b * z2 * z2);
+        const double e = std::log(target_sigmas[i]) - 0.5 * std::log(a * a + b * b * z2 * z2);
         loss += std::min(bins[i].weight, kHeaviestBin) * (e > 0.0 ? kPinball * e : (kPinball - 1.0) * e);
       }
       if (loss >= best) continue;
@@ -101,7 +107,11 @@ SensorEstimate estimateSensor(const DepthFrame& frame) {
         std::max(kShortestBlotch, std::min(kLengthOverFit * blotches.length, kLongestOfImage * longer_side));
   }
   if (estimate.noise_class != NoiseClass::Long) guardAgainstClutter(image, size, bins);
-  fitSigma(bins, blotches, pixelPitch(image.across), estimate);
+  const double sigma_over_residual = sigmaOverError(correlation[0]) * blotches.errorOverResidual();
+  const double patch = blotches.length * pixelPitch(image.across);
+  std::vector<double> target_sigmas;
+  for (const auto& bin : bins) target_sigmas.push_back(targetSigma(bin, sigma_over_residual, patch));
+  fitSigma(bins, target_sigmas, estimate);
   return estimate;
 }
 
