@@ -9,7 +9,7 @@ log=build/prepare.log
 mkdir -p build
 scripts/install_packages.sh
 echo "Building (a few minutes the first time)" >&2
-if ! { cmake --preset release && cmake --build --preset release --target "$@"; } >"$log" 2>&1; then
+if ! scripts/build.sh release "$@" >"$log" 2>&1; then
   tail -n 30 "$log" >&2
   echo "prepare.sh: the build failed, see $log" >&2
   exit 1
