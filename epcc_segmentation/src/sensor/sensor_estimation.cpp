@@ -57,7 +57,7 @@ std::vector<double> logGrid(double low, double high) {
 }
 
 // Below the median of the bins: clutter only enlarges them.
-void fitSigma(const std::vector<DepthBin>& bins, const std::vector<double>& target_sigmas, SensorEstimate& estimate) {
+void fitSigma(const std::vector<DepthBin>& bins, const std::vector<double>& log_targets, SensorEstimate& estimate) {
   const auto grid = logGrid(1e-4, 0.03);
   double best = std::numeric_limits<double>::infinity();
   for (const double a : grid)
@@ -66,7 +66,7 @@ void fitSigma(const std::vector<DepthBin>& bins, const std::vector<double>& targ
       double loss = 0.0;
       for (std::size_t i = 0; i < bins.size(); ++i) {
         const double z2 = bins[i].depth * bins[i].depth;
-        const double e = std::log(target_sigmas[i]) - 0.5 * std::log(a * a + b * b * z2 * z2);
+        const double e = log_targets[i] - 0.5 * std::log(a * a + b * b * z2 * z2);
         loss += std::min(bins[i].weight, kHeaviestBin) * (e > 0.0 ? kPinball * e : (kPinball - 1.0) * e);
       }
       if (loss >= best) continue;
@@ -109,9 +109,9 @@ SensorEstimate estimateSensor(const DepthFrame& frame) {
   if (estimate.noise_class != NoiseClass::Long) guardAgainstClutter(image, size, bins);
   const double sigma_over_residual = sigmaOverError(correlation[0]) * blotches.errorOverResidual();
   const double patch = blotches.length * pixelPitch(image.across);
-  std::vector<double> target_sigmas;
-  for (const auto& bin : bins) target_sigmas.push_back(targetSigma(bin, sigma_over_residual, patch));
-  fitSigma(bins, target_sigmas, estimate);
+  std::vector<double> log_targets;
+  for (const auto& bin : bins) log_targets.push_back(std::log(targetSigma(bin, sigma_over_residual, patch)));
+  fitSigma(bins, log_targets, estimate);
   return estimate;
 }
 
