@@ -159,7 +159,10 @@ std::vector<PointMoments> momentsOfDepths(const DepthFrame& frame, const SensorM
   std::vector<float> depth(static_cast<std::size_t>(frame.width()));
   int depth_row = -1;
   return forEachRun(frame, plane_count, labels, [&](PointMoments& moments, int row, int begin, int end) {
-    if (depth_row != row) frame.depthRow(depth_row = row, depth.data());
+    if (row != depth_row) {
+      frame.depthRow(row, depth.data());
+      depth_row = row;
+    }
     auto column = static_cast<std::size_t>(begin);
     while (column < static_cast<std::size_t>(end) && !(depth[column] > 0.0f)) ++column;
     if (column == static_cast<std::size_t>(end)) return;

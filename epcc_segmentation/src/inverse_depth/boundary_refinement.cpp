@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <unordered_map>
 
 #include "inverse_depth/region_contacts.h"
 
@@ -131,12 +130,8 @@ class Refiner {
   void vote(std::int32_t own, std::int32_t other, int row, int column) {
     if (row < 0 || row >= height() || column < 0 || column >= width()) return;
     if (labels_[static_cast<std::size_t>(row) * width() + column] != own) return;
-    const RegionPair pair(own, other);
-    if (last_votes_ == nullptr || !(pair == last_pair_)) {  // borders come in runs
-      last_pair_ = pair;
-      last_votes_ = &votes_[pair];
-    }
-    (planeAt(own, row, column) < planeAt(other, row, column) ? last_votes_->convex : last_votes_->concave)++;
+    Votes& v = votes_of_[RegionPair(own, other)];
+    (planeAt(own, row, column) < planeAt(other, row, column) ? v.convex : v.concave)++;
   }
 
   void countVotes() {
@@ -229,10 +224,9 @@ class Refiner {
   const RefinementParameters& parameters_;
   std::vector<std::int32_t>& labels_;
   std::vector<RefinedPlane> planes_;
-  std::unordered_map<RegionPair, Votes, RegionPair::Hash> votes_;
-  RegionPair last_pair_{0, 0};
-  Votes* last_votes_ = nullptr;
-  std::unordered_map<RegionPair, Crease, RegionPair::Hash> creases_;
+  RegionPairs<Votes> votes_;
+  RegionPairLookup<Votes> votes_of_{votes_};
+  RegionPairs<Crease> creases_;
   std::vector<std::size_t> frontier_;
   std::vector<std::uint8_t> queued_;
   std::vector<Change> changes_;

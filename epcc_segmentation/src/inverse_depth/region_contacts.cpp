@@ -17,27 +17,6 @@ void Contact::add(const InverseDepthImage& image, int row, int column, int other
 
 namespace {
 
-/// Adds up contacts. Borders come in runs, so the pair before is looked at first.
-class ContactCollector {
- public:
-  ContactCollector(const InverseDepthImage& image, RegionContacts& contacts) : image_(image), contacts_(contacts) {}
-
-  /// Two pixels of different regions that follow each other on a line.
-  void meet(const RegionPair& pair, int row, int column, int other_row, int other_column) {
-    if (contact_ == nullptr || !(pair == pair_)) {
-      pair_ = pair;
-      contact_ = &contacts_[pair];  // stays where it is when others are added
-    }
-    contact_->add(image_, row, column, other_row, other_column);
-  }
-
- private:
-  const InverseDepthImage& image_;
-  RegionContacts& contacts_;
-  RegionPair pair_{0, 0};
-  Contact* contact_ = nullptr;
-};
-
 /// The labelled pixel last seen on a line.
 struct LastLabel {
   std::int32_t label = 0;  ///< 0: none yet
@@ -48,7 +27,7 @@ struct LastLabel {
 
 RegionContacts findContacts(const InverseDepthImage& image, int bridge, const RegionMap& map) {
   RegionContacts contacts;
-  ContactCollector collector(image, contacts);
+  RegionPairLookup<Contact> contact(contacts);
   const auto meets = [bridge](const LastLabel& last, std::int32_t label, int place) {
     return last.label != label && last.label != 0 && place - last.place <= bridge + 1;
   };
@@ -60,8 +39,8 @@ RegionContacts findContacts(const InverseDepthImage& image, int bridge, const Re
       const std::int32_t label = labels[column];
       if (label == 0) continue;
       LastLabel& upper = above[static_cast<std::size_t>(column)];
-      if (meets(left, label, column)) collector.meet({left.label, label}, row, column, row, left.place);
-      if (meets(upper, label, row)) collector.meet({upper.label, label}, row, column, upper.place, column);
+      if (meets(left, label, column)) contact[{left.label, label}].add(image, row, column, row, left.place);
+      if (meets(upper, label, row)) contact[{upper.label, label}].add(image, row, column, upper.place, column);
       left = {label, column};
       upper = {label, row};
     }

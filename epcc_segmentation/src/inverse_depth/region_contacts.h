@@ -22,6 +22,28 @@ struct RegionPair {
   };
 };
 
+template <typename Value>
+using RegionPairs = std::unordered_map<RegionPair, Value, RegionPair::Hash>;
+
+/// Looks pairs up, new ones too. Borders come in runs, so the pair before is tried first.
+template <typename Value>
+class RegionPairLookup {
+ public:
+  explicit RegionPairLookup(RegionPairs<Value>& pairs) : pairs_(pairs) {}
+  Value& operator[](const RegionPair& pair) {
+    if (value_ == nullptr || !(pair == last_)) {
+      last_ = pair;
+      value_ = &pairs_[pair];  // stays where it is when others are added
+    }
+    return *value_;
+  }
+
+ private:
+  RegionPairs<Value>& pairs_;
+  RegionPair last_{0, 0};
+  Value* value_ = nullptr;
+};
+
 /// Where two regions meet.
 struct Contact {
   int count = 0;                                   ///< places
@@ -36,7 +58,7 @@ struct Contact {
   }
 };
 
-using RegionContacts = std::unordered_map<RegionPair, Contact, RegionPair::Hash>;
+using RegionContacts = RegionPairs<Contact>;
 
 /// Regions whose labels follow each other on a row or column across at most `bridge` unlabelled pixels.
 RegionContacts findContacts(const InverseDepthImage& image, int bridge, const RegionMap& map);
