@@ -8,6 +8,7 @@
 #include "datasets/abw_folder.h"
 #include "datasets/folder_listing.h"
 #include "datasets/input_error.h"
+#include "datasets/joined.h"
 #include "datasets/labelled_cloud.h"
 #include "datasets/native_folder.h"
 #include "datasets/nyu_mat.h"
@@ -66,12 +67,6 @@ Named takeApart(const std::string& text) {
   return named;
 }
 
-std::string listOfFormats() {
-  std::string list;
-  for (const std::string& name : formatNames()) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 }  // namespace
 
 const std::vector<DatasetFormat>& datasetFormats() {
@@ -100,7 +95,7 @@ std::vector<std::string> formatNames() {
 std::unique_ptr<FrameSource> openDataset(const std::string& text) {
   const Named named = takeApart(text);
   if (!named.unknown.empty())
-    throw InputError(text, "format", "there is none called '" + named.unknown + "', only " + listOfFormats());
+    throw InputError(text, "format", "there is none called '" + named.unknown + "', only " + joined(formatNames()));
   if (named.format != nullptr) return named.format->open(named.path);
   std::error_code code;
   if (!fs::exists(text, code)) throw InputError(text, "folder", "does not exist");
@@ -108,7 +103,7 @@ std::unique_ptr<FrameSource> openDataset(const std::string& text) {
     if (format.recognises(text)) return format.open(text);
   throw InputError(text, "folder",
                    "has no frame NAME_depth.png and is none of the known data sets; FORMAT:FOLDER names the format (" +
-                       listOfFormats() + ")");
+                       joined(formatNames()) + ")");
 }
 
 std::string folderName(const std::string& text) {

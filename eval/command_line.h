@@ -6,7 +6,6 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace CLI {
 class App;
@@ -37,8 +36,5 @@ int runProgram(const std::string& program, std::ostream& out, std::ostream& err,
 
 /// --jobs as typed; 0 is one a core.
 int threadsFor(int jobs);
-
-/// One text of several, "a, b".
-std::string joined(const std::vector<std::string>& words, const std::string& between = ", ");
 
 }  // namespace epcc

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "datasets/input_error.h"
+#include "datasets/joined.h"
 #include "datasets/scene.h"
 #include "eval/command_line.h"
 #include "eval/study_catalogue.h"

@@ -12,6 +12,7 @@
 #include "baselines/registry.h"
 #include "datasets/dataset_registry.h"
 #include "datasets/input_error.h"
+#include "datasets/joined.h"
 #include "eval/command_line.h"
 #include "eval/eval_methods.h"
 #include "eval/frame_sensor.h"

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "eval/command_line.h"
+#include "datasets/joined.h"
 #include "eval/evaluation_report.h"
 #include "eval/html_page.h"
 

@@ -10,7 +10,7 @@
 
 #include "datasets/atomic_file.h"
 #include "datasets/input_error.h"
-#include "eval/command_line.h"
+#include "datasets/joined.h"
 #include "eval/eval_methods.h"
 #include "eval/text_hash.h"
 
