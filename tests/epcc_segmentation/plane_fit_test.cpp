@@ -63,6 +63,34 @@ TEST(PlaneFit, CentroidAndPointCovarianceAreThoseOfThePoints) {
   EXPECT_LT((result.planes[0].points_covariance - squares).norm(), 1e-9);
 }
 
+// A depth image is summed row by row with shared rays, a transposed view point by point: the same planes.
+TEST(PlaneFit, RowsOfADepthImageGiveWhatItsPointsGive) {
+  const SensorModel sensor = SensorModel::axial(0.002, 0.003);
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  epcc::test::addNoise(room, sensor, 3);
+  for (std::size_t i = 0; i < room.depth.size(); ++i) {
+    if (i % 11 == 0) room.depth[i] = 0.0f;  // holes, also where a run of a label starts
+    if (i % 50 < 9) room.labels[i] = 0;     // several runs of a label in a row
+  }
+  const auto rows = fitted(room, sensor, 3);
+  PlaneSegmentation points;
+  points.labels = room.labels;
+  epcc::fitPlanes(room.frame().transposed(), sensor, 3, points);
+  ASSERT_EQ(rows.planes.size(), 3u);
+  ASSERT_EQ(points.planes.size(), 3u);
+  EXPECT_EQ(rows.labels, points.labels);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& a = rows.planes[k];
+    const auto& b = points.planes[k];
+    EXPECT_EQ(a.pixel_count, b.pixel_count);
+    EXPECT_LT((a.coefficients - b.coefficients).norm(), 1e-9);
+    EXPECT_LT((a.centroid - b.centroid).norm(), 1e-9);
+    EXPECT_LT((a.points_covariance - b.points_covariance).norm(), 1e-9);
+    EXPECT_NEAR(a.rms, b.rms, 1e-9);
+    EXPECT_LT((a.coefficients_covariance - b.coefficients_covariance).norm(), 1e-6 * b.coefficients_covariance.norm());
+  }
+}
+
 TEST(PlaneFit, CovariancePredictsTheScatterOfRepeatedFits) {
   const SensorModel white = SensorModel::axial(0.005, 0.0, 0.1);  // one pixel a sample
   const int runs = 200;
