@@ -108,7 +108,7 @@ TEST(DefaultMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksThem) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(320, 240));
   const int cell = 8;
   std::mt19937 generator(9);
-  std::normal_distribution<double> normal(0.0, 0.006);
+  std::normal_distribution<double> normal(0.0, 0.015);
   std::vector<double> grid(static_cast<std::size_t>(42 * 32));
   for (auto& value : grid) value = normal(generator);
   for (int row = 0; row < 240; ++row)
@@ -120,8 +120,8 @@ TEST(DefaultMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksThem) {
       z += static_cast<float>((1 - y) * ((1 - x) * at(r, c) + x * at(r, c + 1)) +
                               y * ((1 - x) * at(r + 1, c) + x * at(r + 1, c + 1)));
     }
-  const auto blotchy = extract(room.frame(), {}, SensorModel::axial(0.006, 0.0, 5.0));
-  const auto white = extract(room.frame(), {}, SensorModel::axial(0.002, 0.0, 1.0));
+  const auto blotchy = extract(room.frame(), {}, SensorModel::axial(0.015, 0.0, 5.0));
+  const auto white = extract(room.frame(), {}, SensorModel::axial(0.005, 0.0, 1.0));
   EXPECT_EQ(blotchy.planes.size(), 3u);
   EXPECT_GT(agreement(room, blotchy), 0.95);
   EXPECT_GT(white.planes.size(), 6u);

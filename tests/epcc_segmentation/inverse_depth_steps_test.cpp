@@ -54,6 +54,19 @@ TEST(InverseDepthImage, NoiseIsSigmaZOverZSquared) {
   }
 }
 
+// A pixel is 0.005 wide and 0.01 high in ray coordinates: on a surface inclined by 45 degrees, seen at z = 3 m, the
+// variance of the place is that of (3 m * 0.005)^2 / 12 and (3 m * 0.01)^2 / 12 in depth, on the mean.
+TEST(InverseDepthImage, NoDepthIsBetterThanThePlaceInThePixel) {
+  const epcc::PinholeCamera camera{40, 30, 200.0, 100.0, 19.5, 14.5};
+  const std::vector<float> depth(40 * 30, 3.0f);
+  const double place2 = 9.0 * (0.005 * 0.005 + 0.01 * 0.01) / 24.0;
+  InverseDepthImage image;
+  image.read(epcc::DepthFrame::fromDepth(depth.data(), camera), SensorModel::axial(0.001, 0.0));
+  EXPECT_NEAR(image.variance(1.0 / 3.0, 0), place2 / 81.0, 1e-12);
+  image.read(epcc::DepthFrame::fromDepth(depth.data(), camera), SensorModel::axial(0.01, 0.0));
+  EXPECT_NEAR(image.variance(1.0 / 3.0, 0), 0.01 * 0.01 / 81.0, 1e-12);
+}
+
 // ---- moments ----
 
 TEST(PlaneMoments, RunsAddUpToBruteForceSums) {

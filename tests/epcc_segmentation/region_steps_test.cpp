@@ -35,7 +35,7 @@ std::vector<std::int32_t> strips(const epcc::PinholeCamera& camera, int strip) {
 }
 
 void merge(const InverseDepthImage& image, const SensorModel& sensor, RegionMap& map) {
-  epcc::mergeRegions(epcc::findContacts(image, 25, map), epcc::MergingParameters(), sensor, map);
+  epcc::mergeRegions(epcc::findContacts(image, 25, 3.0, map), epcc::MergingParameters(), sensor, map);
 }
 
 TEST(RegionMerging, PiecesOfOneWallBecomeOne) {
@@ -72,6 +72,23 @@ TEST(RegionMerging, ASmallStepBoxOnAWallIsKeptByItsBorder) {
     auto map = regionsOf(image, room.labels, 2);
     merge(image, blotchy, map);
     EXPECT_EQ(map.regions[1].n > 0.0, step > 0.0) << step;
+  }
+}
+
+TEST(RegionMerging, AGrooveKeepsCoplanarSurfacesApartAHoleOrARidgeDoesNot) {
+  const auto camera = epcc::test::testCamera();
+  for (const float between : {1.1f, 0.9f, 0.0f}) {
+    epcc::test::RenderedRoom room{camera, {}, {}};
+    for (int row = 0; row < camera.height; ++row)
+      for (int column = 0; column < camera.width; ++column) {
+        const bool strip = column >= 78 && column < 82;
+        room.depth.push_back(strip ? between : 1.0f);
+        room.labels.push_back(strip ? 0 : column < 78 ? 1 : 2);
+      }
+    const auto image = imageOf(room);
+    auto map = regionsOf(image, room.labels, 2);
+    merge(image, kWhite, map);
+    EXPECT_EQ(map.regions[1].n > 0.0, between > 1.0f) << between;
   }
 }
 

@@ -12,7 +12,6 @@ void InverseDepthImage::read(const DepthFrame& frame, const SensorModel& sensor)
   width = frame.width();
   height = frame.height();
   planar_rows = isPerspective(frame.projection());
-  noise = InverseDepthNoise::of(sensor);
   w.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   across.assign(static_cast<std::size_t>(width), 0.0);
   forward.assign(static_cast<std::size_t>(width), planar_rows ? 1.0 : 0.0);
@@ -22,6 +21,8 @@ void InverseDepthImage::read(const DepthFrame& frame, const SensorModel& sensor)
     readDepths(frame);
   else
     readPoints(frame);
+  noise = InverseDepthNoise::of(sensor);
+  noise.place2 = placeVariance();
   transpose();
 }
 
@@ -83,6 +84,13 @@ void InverseDepthImage::weights(int row, double* weight) const {
   const double scale2 = scale * scale;
   const InverseDepthNoise own = noise;  // a local copy cannot alias the weights
   for (int c = 0; c < width; ++c) weight[c] = scale2 / own.variance(static_cast<double>(value[c]) * scale);
+}
+
+// A value may come from anywhere in its pixel: the variance of an even distribution over it, mean of both directions.
+double InverseDepthImage::placeVariance() const {
+  const double height_of_pixel = pixelPitch(along);
+  const double width_of_pixel = planar_rows ? pixelPitch(across) : height_of_pixel;
+  return (width_of_pixel * width_of_pixel + height_of_pixel * height_of_pixel) / 24.0;
 }
 
 void InverseDepthImage::transpose() {

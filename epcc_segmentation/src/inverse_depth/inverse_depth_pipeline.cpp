@@ -134,7 +134,8 @@ void InverseDepthPipeline::joinBlock(int row_begin, int row_end, int column_begi
 void InverseDepthPipeline::mergeRegions() {
   const double blotch = parameters_.merging.bridge_samples * sensor_.pixelsPerLineSample();
   const int bridge = std::max(parameters_.merging.min_bridge_pixels, static_cast<int>(blotch));
-  epcc::mergeRegions(findContacts(image_, bridge, map_), parameters_.merging, sensor_, map_);
+  epcc::mergeRegions(findContacts(image_, bridge, parameters_.refinement.max_residual, map_), parameters_.merging,
+                     sensor_, map_);
   dropSmallRegions(parameters_.merging, sensor_, map_);
 }
 

@@ -60,8 +60,9 @@ struct Contact {
 
 using RegionContacts = RegionPairs<Contact>;
 
-/// Regions whose labels follow each other on a row or column across at most `bridge` unlabelled pixels.
-RegionContacts findContacts(const InverseDepthImage& image, int bridge, const RegionMap& map);
+/// Regions whose labels follow each other on a row or column across at most `bridge` unlabelled pixels, none of which
+/// lies farther away than both by more than `residual` sigma: a groove parts surfaces, coplanar as they may be.
+RegionContacts findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map);
 
 /// Regions that face each other on a row or column across something nearer than the plane of the longer run by more
 /// than `residual` sigma, which takes no more pixels than max_occluder times those of the two, with nothing farther
