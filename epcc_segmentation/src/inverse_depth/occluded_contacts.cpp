@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Walks along rows and columns behind what is in front.
+#include <algorithm>
+#include <cstddef>
+
 #include "inverse_depth/region_contacts.h"
 
 namespace epcc {
@@ -36,6 +39,8 @@ class OcclusionWalk {
     line_start_ = start;
     line_step_ = step;
     length_ = length;
+    labels_ = map_.labels.data() + indexOf(start);
+    stride_ = step.row * image_.width + step.column;
     for (int begin = 0, end = 0; begin < length; begin = end + 1) {
       end = begin + runLength(begin, 1, length) - 1;
       if (labelAt(begin) == 0) continue;
@@ -67,10 +72,10 @@ class OcclusionWalk {
 
   /// Pixels of one label from `i` on, counted up to `most`.
   int runLength(int i, int direction, int most) const {
+    const std::int32_t label = labelAt(i);
+    const int end = std::min(most, direction > 0 ? length_ - i : i + 1);
     int count = 1;
-    for (int next = i + direction; count < most && next >= 0 && next < length_ && labelAt(next) == labelAt(i);
-         next += direction)
-      ++count;
+    while (count < end && labelAt(i + direction * count) == label) ++count;
     return count;
   }
 
@@ -86,7 +91,7 @@ class OcclusionWalk {
     return static_cast<std::size_t>(p.row) * static_cast<std::size_t>(image_.width) +
            static_cast<std::size_t>(p.column);
   }
-  std::int32_t labelAt(int i) const { return map_.labels[indexOf(pixelAt(i))]; }
+  std::int32_t labelAt(int i) const { return labels_[static_cast<std::ptrdiff_t>(i) * stride_]; }
 
   Place placeOf(int i, std::int32_t label) const {
     const Pixel p = pixelAt(i);
@@ -106,6 +111,8 @@ class OcclusionWalk {
   RegionContacts& contacts_;
   Pixel line_start_{0, 0}, line_step_{0, 1};  // the line that is walked
   int length_ = 0;
+  const std::int32_t* labels_ = nullptr;
+  std::ptrdiff_t stride_ = 1;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "inverse_depth/region_contacts.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace epcc {
 
@@ -31,27 +32,24 @@ class ContactSearch {
   ContactSearch(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map)
       : image_(image), bridge_(bridge), residual2_(residual * residual), map_(map) {}
 
+  // Inside a region nothing needs to be remembered: of the pixels before only those at its end count.
   RegionContacts search() {
-    RegionContacts contacts;
-    RegionPairLookup<Contact> contact(contacts);
-    std::vector<LastLabel> above(static_cast<std::size_t>(image_.width));
+    above_.assign(static_cast<std::size_t>(image_.width), LastLabel());
+    const std::vector<std::int32_t> no_row(static_cast<std::size_t>(image_.width), 0);
     for (int row = 0; row < image_.height; ++row) {
       const std::int32_t* labels = map_.labels.data() + pixel(row, 0);
-      LastLabel left;
+      const std::int32_t* upper_labels = row > 0 ? labels - image_.width : no_row.data();
+      left_ = LastLabel();
+      std::int32_t left_label = 0;
       for (int column = 0; column < image_.width; ++column) {
         const std::int32_t label = labels[column];
-        if (label == 0) continue;
-        LastLabel& upper = above[static_cast<std::size_t>(column)];
-        if (meets(left, label, column) && !seesBehind(pixel(row, left.place), pixel(row, column), 1, row))
-          contact[{left.label, label}].add(image_, row, column, row, left.place);
-        if (meets(upper, label, row) &&
-            !seesBehind(pixel(upper.place, column), pixel(row, column), static_cast<std::size_t>(image_.width), row))
-          contact[{upper.label, label}].add(image_, row, column, upper.place, column);
-        left = {label, column};
-        upper = {label, row};
+        const std::int32_t upper_label = upper_labels[column];
+        if (label != left_label) meetLeft(row, column, label, left_label);
+        if (label != upper_label) meetAbove(row, column, label, upper_label);
+        left_label = label;
       }
     }
-    return contacts;
+    return std::move(contacts_);
   }
 
  private:
@@ -59,8 +57,22 @@ class ContactSearch {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(column);
   }
 
+  void meetLeft(int row, int column, std::int32_t label, std::int32_t left_label) {
+    if (left_label != 0) left_ = {left_label, column - 1};
+    if (meets(left_, label, column) && !seesBehind(pixel(row, left_.place), pixel(row, column), 1, row))
+      contact_[{left_.label, label}].add(image_, row, column, row, left_.place);
+  }
+
+  void meetAbove(int row, int column, std::int32_t label, std::int32_t upper_label) {
+    LastLabel& upper = above_[static_cast<std::size_t>(column)];
+    if (upper_label != 0) upper = {upper_label, row - 1};
+    if (meets(upper, label, row) &&
+        !seesBehind(pixel(upper.place, column), pixel(row, column), static_cast<std::size_t>(image_.width), row))
+      contact_[{upper.label, label}].add(image_, row, column, upper.place, column);
+  }
+
   bool meets(const LastLabel& last, std::int32_t label, int place) const {
-    return last.label != label && last.label != 0 && place - last.place <= bridge_ + 1;
+    return label != 0 && last.label != 0 && last.label != label && place - last.place <= bridge_ + 1;
   }
 
   /// Something between the two pixels lies farther away than both: a groove or a gap parts them.
@@ -79,6 +91,10 @@ class ContactSearch {
   int bridge_;
   double residual2_;
   const RegionMap& map_;
+  RegionContacts contacts_;
+  RegionPairLookup<Contact> contact_{contacts_};
+  LastLabel left_;                ///< on this row, before the pixels without a label
+  std::vector<LastLabel> above_;  ///< the same, per column
 };
 
 }  // namespace
