@@ -157,10 +157,12 @@ std::vector<PointMoments> momentsOfDepths(const DepthFrame& frame, const SensorM
   std::vector<double> across;
   for (int column = 0; column < frame.width(); ++column) across.push_back(frame.pinholeAcross(column));
   std::vector<float> depth(static_cast<std::size_t>(frame.width()));
+  std::vector<double> weight(depth.size());
   int depth_row = -1;
   return forEachRun(frame, plane_count, labels, [&](PointMoments& moments, int row, int begin, int end) {
     if (row != depth_row) {
       frame.depthRow(row, depth.data());
+      for (std::size_t i = 0; i < depth.size(); ++i) weight[i] = 1.0 / sensor.varianceZ(static_cast<double>(depth[i]));
       depth_row = row;
     }
     auto column = static_cast<std::size_t>(begin);
@@ -177,7 +179,7 @@ std::vector<PointMoments> momentsOfDepths(const DepthFrame& frame, const SensorM
       const double px = z * across[column] - origin.x();
       const double pz = z - origin.z();
       plain.add(px, pz, 1.0);
-      weighted.add(px, pz, 1.0 / sensor.varianceZ(z));
+      weighted.add(px, pz, weight[column]);
     }
     const double c = v * origin.z() - origin.y();
     plain.addTo(moments.plain, v, c);

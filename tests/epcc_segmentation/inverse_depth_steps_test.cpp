@@ -61,9 +61,11 @@ TEST(InverseDepthImage, NoDepthIsBetterThanThePlaceInThePixel) {
   const std::vector<float> depth(40 * 30, 3.0f);
   const double place2 = 9.0 * (0.005 * 0.005 + 0.01 * 0.01) / 24.0;
   InverseDepthImage image;
-  image.read(epcc::DepthFrame::fromDepth(depth.data(), camera), SensorModel::axial(0.001, 0.0));
+  image.read(epcc::DepthFrame::fromDepth(depth.data(), camera));
+  image.weigh(SensorModel::axial(0.001, 0.0));
   EXPECT_NEAR(image.variance(1.0 / 3.0, 0), place2 / 81.0, 1e-12);
-  image.read(epcc::DepthFrame::fromDepth(depth.data(), camera), SensorModel::axial(0.01, 0.0));
+  EXPECT_NEAR(image.weight[0], 81.0 / place2, 1.0);
+  image.weigh(SensorModel::axial(0.01, 0.0));
   EXPECT_NEAR(image.variance(1.0 / 3.0, 0), 0.01 * 0.01 / 81.0, 1e-12);
 }
 
@@ -81,7 +83,8 @@ TEST(PlaneMoments, RunsAddUpToBruteForceSums) {
         const std::size_t pixel = static_cast<std::size_t>(row) * 40 + column;
         if (room.labels[pixel] != label) continue;
         const double w = static_cast<double>(image.w[pixel]);
-        brute.add(image.ray(row, column), w, image.variance(w, row));
+        ASSERT_NEAR(image.weight[pixel] * image.variance(w, row), 1.0, 1e-6);
+        brute.add(image.ray(row, column), w, 1.0 / image.weight[pixel]);
       }
     const auto& region = map.regions[static_cast<std::size_t>(label - 1)];
     ASSERT_GT(brute.n, 50.0);
@@ -126,7 +129,7 @@ TEST(LineSums, SegmentMomentsEqualBruteForceSums) {
   PlaneMoments brute;
   for (int i = 0; i < 50; ++i) {
     const double x = 0.01 * i, w = uniform(generator), variance = uniform(generator);
-    sums.add(x, w, variance);
+    sums.add(x, w, 1.0 / variance);
     brute.add(rays.base + x * rays.axis, w, variance);
   }
   const auto moments = epcc::segmentMoments(rays, sums);
@@ -146,12 +149,11 @@ struct Grown {
 Grown grow(const std::vector<float>& w, double sigma_w) {
   std::vector<double> x;
   for (std::size_t i = 0; i < w.size(); ++i) x.push_back(0.005 * static_cast<double>(i));
-  epcc::InverseDepthNoise noise;
-  noise.b2 = sigma_w * sigma_w;
+  const std::vector<float> weight(w.size(), static_cast<float>(1.0 / (sigma_w * sigma_w)));
   Grown grown;
   grown.segment_of.resize(w.size());
   epcc::LineGrowing growing{epcc::LineGrowingParameters()};
-  growing.grow(w.data(), x.data(), nullptr, static_cast<int>(w.size()), noise, 7, grown.lines, grown.segment_of.data());
+  growing.grow(w.data(), weight.data(), x.data(), static_cast<int>(w.size()), 7, grown.lines, grown.segment_of.data());
   return grown;
 }
 
@@ -210,7 +212,7 @@ GrownLine lineOf(double w, int first, int last, double sigma_w) {
   GrownLine line;
   line.first = first;
   line.last = last;
-  for (int i = first; i <= last; ++i) line.sums.add(0.005 * i, w, sigma_w * sigma_w);
+  for (int i = first; i <= last; ++i) line.sums.add(0.005 * i, w, 1.0 / (sigma_w * sigma_w));
   return line;
 }
 

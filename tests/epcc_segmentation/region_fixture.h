@@ -14,7 +14,8 @@ inline const SensorModel kWhite = SensorModel::axial(0.002, 0.0, 0.1);
 
 inline InverseDepthImage imageOf(const RenderedRoom& room, const SensorModel& sensor = kWhite) {
   InverseDepthImage image;
-  image.read(room.frame(), sensor);
+  image.read(room.frame());
+  image.weigh(sensor);
   return image;
 }
 

@@ -47,7 +47,7 @@ class Refiner {
   };
   struct Pixel {
     int row, column;
-    double w, variance, inverse_sigma;
+    double w, weight, inverse_sigma;
   };
 
   int width() const { return image_.width; }
@@ -178,8 +178,8 @@ class Refiner {
     });
     if (count == 0) return current;
     pixel.w = static_cast<double>(image_.w[index]);
-    pixel.variance = image_.variance(pixel.w, pixel.row);
-    pixel.inverse_sigma = 1.0 / std::sqrt(pixel.variance);
+    pixel.weight = static_cast<double>(image_.weight[index]);
+    pixel.inverse_sigma = std::sqrt(pixel.weight);
     const double current_error = current != 0 ? error(current, pixel) : parameters_.max_residual;
     double least = current_error;
     std::int32_t best = current;
@@ -211,7 +211,7 @@ class Refiner {
     if (!use_creases_) return Decision::Residual;
     if (current_error > parameters_.crease_range || other_error > parameters_.crease_range) return Decision::Residual;
     const double difference = planeAt(current, pixel.row, pixel.column) - planeAt(other, pixel.row, pixel.column);
-    if (difference * difference > parameters_.crease_range * parameters_.crease_range * pixel.variance)
+    if (difference * difference * pixel.weight > parameters_.crease_range * parameters_.crease_range)
       return Decision::Residual;
     const Crease kind = crease(current, other);
     if (kind == Crease::Unknown) return Decision::Residual;

@@ -8,7 +8,22 @@
 
 namespace epcc {
 
-void InverseDepthImage::read(const DepthFrame& frame, const SensorModel& sensor) {
+namespace {
+
+void transpose(const std::vector<float>& image, int width, int height, std::vector<float>& transposed) {
+  constexpr int kBlock = 32;  // both images stay in the cache
+  transposed.resize(image.size());
+  for (int row_block = 0; row_block < height; row_block += kBlock)
+    for (int column_block = 0; column_block < width; column_block += kBlock)
+      for (int column = column_block; column < std::min(column_block + kBlock, width); ++column)
+        for (int row = row_block; row < std::min(row_block + kBlock, height); ++row)
+          transposed[static_cast<std::size_t>(column) * height + row] =
+              image[static_cast<std::size_t>(row) * width + column];
+}
+
+}  // namespace
+
+void InverseDepthImage::read(const DepthFrame& frame) {
   width = frame.width();
   height = frame.height();
   planar_rows = isPerspective(frame.projection());
@@ -21,9 +36,6 @@ void InverseDepthImage::read(const DepthFrame& frame, const SensorModel& sensor)
     readDepths(frame);
   else
     readPoints(frame);
-  noise = InverseDepthNoise::of(sensor);
-  noise.place2 = placeVariance();
-  transpose();
 }
 
 // Written without branches: the compiler inverts several depths at a time.
@@ -78,14 +90,6 @@ void InverseDepthImage::readPoints(const DepthFrame& frame) {
   }
 }
 
-void InverseDepthImage::weights(int row, double* weight) const {
-  const float* value = w.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
-  const double scale = measured_scale[static_cast<std::size_t>(row)];
-  const double scale2 = scale * scale;
-  const InverseDepthNoise own = noise;  // a local copy cannot alias the weights
-  for (int c = 0; c < width; ++c) weight[c] = scale2 / own.variance(static_cast<double>(value[c]) * scale);
-}
-
 // A value may come from anywhere in its pixel: the variance of an even distribution over it, mean of both directions.
 double InverseDepthImage::placeVariance() const {
   const double height_of_pixel = pixelPitch(along);
@@ -93,15 +97,25 @@ double InverseDepthImage::placeVariance() const {
   return (width_of_pixel * width_of_pixel + height_of_pixel * height_of_pixel) / 24.0;
 }
 
-void InverseDepthImage::transpose() {
-  constexpr int kBlock = 32;  // both images stay in the cache
-  w_transposed.resize(w.size());
-  for (int row_block = 0; row_block < height; row_block += kBlock)
-    for (int column_block = 0; column_block < width; column_block += kBlock)
-      for (int column = column_block; column < std::min(column_block + kBlock, width); ++column)
-        for (int row = row_block; row < std::min(row_block + kBlock, height); ++row)
-          w_transposed[static_cast<std::size_t>(column) * height + row] =
-              w[static_cast<std::size_t>(row) * width + column];
+// Written without branches, as above. A float holds the weight of any depth that a sensor gives; of others it stays
+// finite and positive.
+void InverseDepthImage::weigh(const SensorModel& sensor) {
+  constexpr float kLeast = std::numeric_limits<float>::min();
+  constexpr float kMost = std::numeric_limits<float>::max();
+  noise = InverseDepthNoise::of(sensor);
+  noise.place2 = placeVariance();
+  const InverseDepthNoise own = noise;  // a local copy cannot alias the weights
+  const auto columns = static_cast<std::size_t>(width);
+  weight.resize(w.size());
+  for (std::size_t r = 0; r < static_cast<std::size_t>(height); ++r) {
+    const float* value = w.data() + r * columns;
+    float* row = weight.data() + r * columns;
+    const auto scale = static_cast<float>(measured_scale[r]);
+    for (std::size_t c = 0; c < columns; ++c)
+      row[c] = std::min(kMost, std::max(kLeast, scale * scale / own.variance(value[c] * scale)));
+  }
+  transpose(w, width, height, w_transposed);
+  transpose(weight, width, height, weight_transposed);
 }
 
 double pixelPitch(const std::vector<double>& coordinate) {

@@ -20,10 +20,12 @@ struct InverseDepthNoise {
   double place2 = 0.0;
 
   static InverseDepthNoise of(const SensorModel& sensor);
-  double variance(double w) const {
-    const double s = k1 + w * (k2 + w * k3);
-    const double w2 = w * w;
-    return std::max(s * s + b2 + a2 * w2 * w2, place2 * w2);
+  /// In the precision of w.
+  template <typename Scalar>
+  Scalar variance(Scalar w) const {
+    const Scalar s = Scalar(k1) + w * (Scalar(k2) + w * Scalar(k3));
+    const Scalar w2 = w * w;
+    return std::max(s * s + Scalar(b2) + Scalar(a2) * w2 * w2, Scalar(place2) * w2);
   }
 };
 
@@ -36,7 +38,9 @@ struct InverseDepthImage {
   int height = 0;
   bool planar_rows = true;              ///< rows are planar sections too (false for spherical scans)
   std::vector<float> w;                 ///< row-major, 0 = invalid
+  std::vector<float> weight;            ///< 1/sigma_w^2 of each; meaningless where w is 0
   std::vector<float> w_transposed;      ///< the same, column-major
+  std::vector<float> weight_transposed;
   std::vector<double> across, forward;  ///< per column
   std::vector<double> along;            ///< per row
   /// Per row: measured inverse depth = w * measured_scale; 1 for perspective frames, cos(elevation) for scans.
@@ -53,17 +57,15 @@ struct InverseDepthImage {
     return noise.variance(value * scale) / (scale * scale);
   }
 
-  /// 1/variance of the pixels of a row; meaningless where w is 0.
-  void weights(int row, double* weight) const;
-
   /// Reads a frame; memory is reused. Cloud rays are estimated per row and column from the points.
-  void read(const DepthFrame& frame, const SensorModel& sensor);
+  void read(const DepthFrame& frame);
+  /// What the sensor says of it: noise and weights, and the transposed images.
+  void weigh(const SensorModel& sensor);
 
  private:
   void readDepths(const DepthFrame& frame);
   void readPoints(const DepthFrame& frame);
   double placeVariance() const;
-  void transpose();
 };
 
 /// Mean change of a ray coordinate from one column or row to the next.

@@ -19,7 +19,8 @@ InverseDepthPipeline::InverseDepthPipeline(const Parameters& parameters, const S
       plane_growing_(parameters.plane_growing, sensor) {}
 
 void InverseDepthPipeline::read(const DepthFrame& frame) {
-  image_.read(frame, sensor_);
+  image_.read(frame);
+  image_.weigh(sensor_);
   by_columns_.active = parameters_.scan != ScanDirection::Rows;
   by_rows_.active = parameters_.scan != ScanDirection::Columns && image_.planar_rows;
 }
@@ -38,14 +39,14 @@ void InverseDepthPipeline::growLines(bool columns, Direction& direction) {
   const int scan_lines = columns ? image_.width : image_.height;
   const int length = columns ? image_.height : image_.width;
   const float* w = columns ? image_.w_transposed.data() : image_.w.data();
+  const float* weight = columns ? image_.weight_transposed.data() : image_.weight.data();
   const double* x = columns ? image_.along.data() : image_.across.data();
-  const double* scale = columns && !image_.planar_rows ? image_.measured_scale.data() : nullptr;
   direction.lines.clear();
   direction.line_begin.assign(1, 0);
   direction.segment_of.resize(static_cast<std::size_t>(scan_lines) * length);
   for (int i = 0; i < scan_lines; ++i) {
     const std::size_t start = static_cast<std::size_t>(i) * length;
-    line_growing_.grow(w + start, x, scale, length, image_.noise, static_cast<std::int32_t>(direction.lines.size()),
+    line_growing_.grow(w + start, weight + start, x, length, static_cast<std::int32_t>(direction.lines.size()),
                        direction.lines, direction.segment_of.data() + start);
     direction.line_begin.push_back(direction.lines.size());
   }

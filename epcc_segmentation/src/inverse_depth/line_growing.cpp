@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // S1, sample by sample: accept, buffer, start anew, end at a gap.
-// Divisions are slow: the weights are computed ahead for a whole scan line, the tests are multiplied out.
+// Divisions are slow: the tests are multiplied out.
 #include "inverse_depth/line_growing.h"
 
 namespace epcc {
 
-void LineGrowing::grow(const float* w, const double* x, const double* scale, int count, const InverseDepthNoise& noise,
-                       std::int32_t first_id, std::vector<GrownLine>& lines, std::int32_t* segment_of) {
+void LineGrowing::grow(const float* w, const float* weight, const double* x, int count, std::int32_t first_id,
+                       std::vector<GrownLine>& lines, std::int32_t* segment_of) {
   w_ = w;
+  weight_ = weight;
   x_ = x;
   count_ = count;
   lines_ = &lines;
@@ -15,7 +16,6 @@ void LineGrowing::grow(const float* w, const double* x, const double* scale, int
   has_active_ = false;
   buffer_.clear();
   active_id_ = first_id - 1;
-  weigh(scale, noise);
   for (int i = 0; i < count; ++i) {
     if (has_active_) i = extendActive(i);
     if (i == count) break;
@@ -27,19 +27,8 @@ void LineGrowing::grow(const float* w, const double* x, const double* scale, int
   emit();
 }
 
-void LineGrowing::weigh(const double* scale, const InverseDepthNoise& noise) {
-  const auto count = static_cast<std::size_t>(count_);
-  variance_.resize(count);
-  weight_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) variance_[i] = noise.variance(static_cast<double>(w_[i]));
-  if (scale != nullptr)
-    for (std::size_t i = 0; i < count; ++i)
-      variance_[i] = noise.variance(static_cast<double>(w_[i]) * scale[i]) / (scale[i] * scale[i]);
-  for (std::size_t i = 0; i < count; ++i) weight_[i] = 1.0 / variance_[i];
-}
-
 void LineGrowing::add(int position, LineSums& sums) const {
-  sums.add(x_[position], static_cast<double>(w_[position]), variance_[position], weight_[position]);
+  sums.add(x_[position], static_cast<double>(w_[position]), static_cast<double>(weight_[position]));
 }
 
 // Adds the samples from `position` on to the active line until one is rejected or lies beyond a gap, which ends
@@ -48,8 +37,7 @@ int LineGrowing::extendActive(int position) {
   // Copies that the compiler may keep in registers.
   const float* w = w_;
   const double* x = x_;
-  const double* variance = variance_.data();
-  const double* weight = weight_.data();
+  const float* weights = weight_;
   std::int32_t* segment_of = segment_of_;
   const int count = count_;
   const int reach = parameters_.max_gap_pixels + 1;
@@ -64,12 +52,13 @@ int LineGrowing::extendActive(int position) {
       continue;
     }
     if (i - last > reach) break;
-    // |w - mean_w - slope (x - mean_x)| <= k_max sigma_w, times one * (one Sxx).
+    const auto weight = static_cast<double>(weights[i]);
+    // |w - mean_w - slope (x - mean_x)| <= k_max sigma_w, times one * (one Sxx) / sigma_w.
     const double sxx = sums.scaledSxx();
     const double residual = (value * sums.one - sums.w) * sxx - (x[i] * sums.one - sums.x) * sums.scaledSxw();
     const double scale = sums.one * sxx;
-    if (!(residual * residual <= k2 * variance[i] * (scale * scale))) break;
-    sums.add(x[i], value, variance[i], weight[i]);
+    if (!(residual * residual * weight <= k2 * (scale * scale))) break;
+    sums.add(x[i], value, weight);
     segment_of[i] = active_id_;
     last = i;
   }

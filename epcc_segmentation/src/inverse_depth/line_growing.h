@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "epcc_segmentation/parameters.h"
-#include "inverse_depth/inverse_depth_image.h"
 
 namespace epcc {
 
@@ -15,21 +14,18 @@ namespace epcc {
 /// each of weight 1/sigma_w^2.
 struct LineSums {
   double n = 0.0;
-  double variance = 0.0;  ///< sum of sigma_w^2
-  double w_plain = 0.0;   ///< sum of w
   double one = 0.0, x = 0.0, xx = 0.0, w = 0.0, xw = 0.0, ww = 0.0;
 
-  void add(double sample_x, double sample_w, double sigma2) { add(sample_x, sample_w, sigma2, 1.0 / sigma2); }
-  void add(double sample_x, double sample_w, double sigma2, double weight) {
+  void add(double sample_x, double sample_w, double weight) {
+    const double weighted_x = weight * sample_x;
+    const double weighted_w = weight * sample_w;
     n += 1.0;
-    variance += sigma2;
-    w_plain += sample_w;
     one += weight;
-    x += weight * sample_x;
-    xx += weight * sample_x * sample_x;
-    w += weight * sample_w;
-    xw += weight * sample_x * sample_w;
-    ww += weight * sample_w * sample_w;
+    x += weighted_x;
+    xx += weighted_x * sample_x;
+    w += weighted_w;
+    xw += weighted_x * sample_w;
+    ww += weighted_w * sample_w;
   }
   /// Sxx, Sxw and Sww times `one`: their ratios are those of the spreads, without a division.
   double scaledSxx() const { return one * xx - x * x; }
@@ -37,7 +33,8 @@ struct LineSums {
   double scaledSww() const { return one * ww - w * w; }
   double meanX() const { return x / one; }
   double meanW() const { return w / one; }
-  double meanVariance() const { return variance / n; }
+  /// sigma_w^2 of a sample of mean weight.
+  double meanVariance() const { return n / one; }
   double sxx() const { return xx - x * x / one; }
   double sxw() const { return xw - x * w / one; }
   double sww() const { return ww - w * w / one; }
@@ -65,14 +62,12 @@ class LineGrowing {
  public:
   explicit LineGrowing(const LineGrowingParameters& parameters) : parameters_(parameters) {}
 
-  /// w: `count` inverse depths, 0 = invalid; x: their ray coordinate; scale: measured inverse depth = w * scale,
-  /// by `scale[i]` or, if null, 1. Segments are appended to `lines`; segment_of[i] receives
-  /// first_id + index of the segment or -1.
-  void grow(const float* w, const double* x, const double* scale, int count, const InverseDepthNoise& noise,
-            std::int32_t first_id, std::vector<GrownLine>& lines, std::int32_t* segment_of);
+  /// w: `count` inverse depths, 0 = invalid; weight: their 1/sigma_w^2; x: their ray coordinate. Segments are appended
+  /// to `lines`; segment_of[i] receives first_id + index of the segment or -1.
+  void grow(const float* w, const float* weight, const double* x, int count, std::int32_t first_id,
+            std::vector<GrownLine>& lines, std::int32_t* segment_of);
 
  private:
-  void weigh(const double* scale, const InverseDepthNoise& noise);
   int extendActive(int position);
   void pushOnBuffer(int position);
   bool startFromBuffer();
@@ -80,11 +75,11 @@ class LineGrowing {
   void add(int position, LineSums& sums) const;
 
   LineGrowingParameters parameters_;
-  // The scan line: samples, their variances and weights 1/sigma_w^2.
+  // The scan line.
   int count_ = 0;
   const float* w_ = nullptr;
+  const float* weight_ = nullptr;
   const double* x_ = nullptr;
-  std::vector<double> variance_, weight_;
   // The state of Algorithm 1: the active line and the positions of the last rejected samples.
   bool has_active_ = false;
   GrownLine active_;

@@ -95,11 +95,13 @@ class OcclusionWalk {
 
   Place placeOf(int i, std::int32_t label) const {
     const Pixel p = pixelAt(i);
-    const double w = static_cast<double>(image_.w[indexOf(p)]);
+    const std::size_t index = indexOf(p);
+    const auto w = static_cast<double>(image_.w[index]);
     if (!(w > 0.0)) return Place::Behind;  // a hole is no occluder
     const RegionPlane& plane = planes_[static_cast<std::size_t>(label) - 1];
     const double error = w - plane.q.dot(image_.ray(p.row, p.column));
-    if (error * error <= residual_ * residual_ * image_.variance(w, p.row) * plane.slope_factor) return Place::On;
+    if (error * error * static_cast<double>(image_.weight[index]) <= residual_ * residual_ * plane.slope_factor)
+      return Place::On;
     return error > 0.0 ? Place::InFront : Place::Behind;
   }
 

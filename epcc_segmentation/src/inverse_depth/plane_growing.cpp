@@ -10,7 +10,7 @@ PlaneMoments segmentMoments(const ScanLineRays& rays, const LineSums& s) {
   PlaneMoments moments;
   const Eigen::Matrix3d cross = rays.base * rays.axis.transpose();
   moments.n = s.n;
-  moments.w_sum = s.w_plain;
+  moments.w_sum = s.n * s.meanW();
   moments.rays = s.one * rays.base * rays.base.transpose() + s.x * (cross + cross.transpose()) +
                  s.xx * rays.axis * rays.axis.transpose();
   moments.rays_w = s.w * rays.base + s.xw * rays.axis;

@@ -2,20 +2,19 @@
 // Walks along rows and columns from region to region.
 #include "inverse_depth/region_contacts.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace epcc {
 
 void Contact::add(const InverseDepthImage& image, int row, int column, int other_row, int other_column) {
-  const auto addRay = [&](int r, int c) {
-    const double w = static_cast<double>(image.w[static_cast<std::size_t>(r) * image.width + c]);
-    const Eigen::Vector3d ray = image.ray(r, c);
-    rays.noalias() += (0.5 / image.variance(w, r) * ray) * ray.transpose();
+  const auto weightAt = [&image](int r, int c) {
+    return static_cast<double>(image.weight[static_cast<std::size_t>(r) * static_cast<std::size_t>(image.width) +
+                                            static_cast<std::size_t>(c)]);
   };
+  const double weight = 0.5 * (weightAt(row, column) + weightAt(other_row, other_column));
+  const Eigen::Vector3d middle = 0.5 * (image.ray(row, column) + image.ray(other_row, other_column));
   ++count;
-  addRay(row, column);
-  addRay(other_row, other_column);
+  rays.noalias() += (weight * middle) * middle.transpose();
 }
 
 namespace {
@@ -59,7 +58,7 @@ class ContactSearch {
 
   void meetLeft(int row, int column, std::int32_t label, std::int32_t left_label) {
     if (left_label != 0) left_ = {left_label, column - 1};
-    if (meets(left_, label, column) && !seesBehind(pixel(row, left_.place), pixel(row, column), 1, row))
+    if (meets(left_, label, column) && !seesBehind(pixel(row, left_.place), pixel(row, column), 1))
       contact_[{left_.label, label}].add(image_, row, column, row, left_.place);
   }
 
@@ -67,7 +66,7 @@ class ContactSearch {
     LastLabel& upper = above_[static_cast<std::size_t>(column)];
     if (upper_label != 0) upper = {upper_label, row - 1};
     if (meets(upper, label, row) &&
-        !seesBehind(pixel(upper.place, column), pixel(row, column), static_cast<std::size_t>(image_.width), row))
+        !seesBehind(pixel(upper.place, column), pixel(row, column), static_cast<std::size_t>(image_.width)))
       contact_[{upper.label, label}].add(image_, row, column, upper.place, column);
   }
 
@@ -76,13 +75,13 @@ class ContactSearch {
   }
 
   /// Something between the two pixels lies farther away than both: a groove or a gap parts them.
-  bool seesBehind(std::size_t first, std::size_t second, std::size_t step, int row) const {
+  bool seesBehind(std::size_t first, std::size_t second, std::size_t step) const {
     if (first + step == second) return false;
-    const auto farther = static_cast<double>(std::min(image_.w[first], image_.w[second]));
-    const double limit2 = residual2_ * image_.variance(farther, row);
+    const std::size_t farther = image_.w[first] < image_.w[second] ? first : second;
+    const auto weight = static_cast<double>(image_.weight[farther]);
     for (std::size_t between = first + step; between < second; between += step) {
-      const double error = farther - static_cast<double>(image_.w[between]);
-      if (image_.w[between] > 0.0f && error > 0.0 && error * error > limit2) return true;
+      const double error = static_cast<double>(image_.w[farther]) - static_cast<double>(image_.w[between]);
+      if (image_.w[between] > 0.0f && error > 0.0 && error * error * weight > residual2_) return true;
     }
     return false;
   }

@@ -61,11 +61,10 @@ template <typename Run>
 void accumulateRuns(const InverseDepthImage& image, const std::vector<std::int32_t>& labels,
                     std::vector<PlaneMoments>& regions) {
   const auto width = static_cast<std::size_t>(image.width);
-  std::vector<double> weight(width);
   for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row) {
     const float* w = image.w.data() + row * width;
+    const float* weight = image.weight.data() + row * width;
     const std::int32_t* label = labels.data() + row * width;
-    image.weights(static_cast<int>(row), weight.data());
     std::size_t column = 0;
     while (column < width) {
       const std::int32_t here = label[column];
@@ -75,7 +74,8 @@ void accumulateRuns(const InverseDepthImage& image, const std::vector<std::int32
       }
       Run run;
       for (; column < width && label[column] == here; ++column)
-        run.add(image.across[column], image.forward[column], static_cast<double>(w[column]), weight[column]);
+        run.add(image.across[column], image.forward[column], static_cast<double>(w[column]),
+                static_cast<double>(weight[column]));
       run.addTo(regions[static_cast<std::size_t>(here - 1)], image.along[row]);
     }
   }

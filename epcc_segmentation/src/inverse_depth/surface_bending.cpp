@@ -44,13 +44,13 @@ class RegionView {
 
   int stride() const { return stride_; }
 
-  void add(const Eigen::Vector3d& ray, double w, double variance) {
+  void add(const Eigen::Vector3d& ray, double w, double weight_of_w) {
     const double depth = sine_ * ray.x() + cosine_ * ray.z();  // 1 unless turned
     if (depth < kLeastDepth) return;
     const double u = (cosine_ * ray.x() - sine_ * ray.z()) / depth - u0_;
     const double v = ray.y() / depth - v0_;
     const double residual = (w - q_.dot(ray)) / depth;
-    const double weight = depth * depth / variance;
+    const double weight = depth * depth * weight_of_w;
     const double terms[] = {1.0, u, v, u * u, u * v, v * v};
     for (int i = 0, k = 0; i < 6; ++i) {
       const double weighted = weight * terms[i];
@@ -109,14 +109,18 @@ std::vector<Bending> measureBending(const InverseDepthImage& image, const Region
   std::vector<std::uint8_t> on_grid(views.size());  // of the view's grid, the row
   for (int row = 0; row < image.height; ++row) {
     for (std::size_t k = 0; k < views.size(); ++k) on_grid[k] = row % views[k].stride() == 0;
-    for (int column = 0; column < image.width; ++column) {
-      const std::size_t pixel = static_cast<std::size_t>(row) * image.width + column;
-      const std::int32_t k = view_of[static_cast<std::size_t>(map.labels[pixel])];
+    const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
+    const std::int32_t* labels = map.labels.data() + start;
+    for (int begin = 0, end = 0; begin < image.width; begin = end) {
+      while (end < image.width && labels[end] == labels[begin]) ++end;
+      const std::int32_t k = view_of[static_cast<std::size_t>(labels[begin])];
       if (k < 0 || on_grid[static_cast<std::size_t>(k)] == 0) continue;
       RegionView& view = views[static_cast<std::size_t>(k)];
-      if (column % view.stride() != 0) continue;
-      const double w = static_cast<double>(image.w[pixel]);
-      view.add(image.ray(row, column), w, image.variance(w, row));
+      const int stride = view.stride();
+      for (int column = (begin + stride - 1) / stride * stride; column < end; column += stride) {
+        const std::size_t pixel = start + static_cast<std::size_t>(column);
+        view.add(image.ray(row, column), static_cast<double>(image.w[pixel]), static_cast<double>(image.weight[pixel]));
+      }
     }
   }
   std::vector<Bending> result(map.regions.size());

@@ -84,7 +84,7 @@ SensorEstimate estimateSensor(const DepthFrame& frame) {
   estimate.correlation_length = std::min(6.0, longer_side / 100.0);
   if (frame.empty()) return estimate;
   InverseDepthImage image;
-  image.read(frame, SensorModel());
+  image.read(frame);
 
   int size = longer_side < 400 ? 16 : 32;
   auto bins = measureDepthBins(image, size);
