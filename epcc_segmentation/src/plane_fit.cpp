@@ -158,11 +158,12 @@ std::vector<PointMoments> momentsOfDepths(const DepthFrame& frame, const SensorM
   for (int column = 0; column < frame.width(); ++column) across.push_back(frame.pinholeAcross(column));
   std::vector<float> depth(static_cast<std::size_t>(frame.width()));
   std::vector<double> weight(depth.size());
+  const SensorModel own = sensor;  // a local copy cannot alias the weights
   int depth_row = -1;
   return forEachRun(frame, plane_count, labels, [&](PointMoments& moments, int row, int begin, int end) {
     if (row != depth_row) {
       frame.depthRow(row, depth.data());
-      for (std::size_t i = 0; i < depth.size(); ++i) weight[i] = 1.0 / sensor.varianceZ(static_cast<double>(depth[i]));
+      for (std::size_t i = 0; i < depth.size(); ++i) weight[i] = 1.0 / own.varianceZ(static_cast<double>(depth[i]));
       depth_row = row;
     }
     auto column = static_cast<std::size_t>(begin);

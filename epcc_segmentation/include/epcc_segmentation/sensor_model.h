@@ -39,7 +39,8 @@ class SensorModel {
   double sigmaZ(double z) const { return std::sqrt(varianceZ(z)); }
   /// sigma_z^2, without a square root.
   double varianceZ(double z) const {
-    const double spread = polynomial_ ? std::fmax(0.0, (k_[0] * z + k_[1]) * z + k_[2]) : k_[1] * z * z;
+    const double polynomial = (k_[0] * z + k_[1]) * z + k_[2];
+    const double spread = polynomial_ ? (polynomial > 0.0 ? polynomial : 0.0) : k_[1] * z * z;
     const double variance = spread * spread + (polynomial_ ? 0.0 : k_[0] * k_[0]);
     return variance > kSmallestSigma * kSmallestSigma ? variance : kSmallestSigma * kSmallestSigma;
   }
