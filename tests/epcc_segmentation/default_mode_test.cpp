@@ -103,6 +103,19 @@ TEST(DefaultMode, RepeatedCallsAndFreshObjectsGiveTheSameBits) {
   EXPECT_EQ(first.labels, extract(room.frame()).labels);
 }
 
+TEST(DefaultMode, TheNumberOfThreadsChangesNothing) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  epcc::test::addNoise(room, SensorModel::axial(0.002, 0.0, 1.0), 4);
+  for (const int threads : {2, 3, 200})
+    for (const auto scan : {epcc::ScanDirection::Both, epcc::ScanDirection::Columns, epcc::ScanDirection::Rows}) {
+      Parameters parameters;
+      parameters.scan = scan;
+      const auto expected = extract(room.frame(), parameters);
+      parameters.threads = threads;
+      EXPECT_EQ(extract(room.frame(), parameters).labels, expected.labels) << threads;
+    }
+}
+
 TEST(DefaultMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksThem) {
   // Error correlated over eight pixels: white noise on a coarse grid, interpolated.
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(320, 240));

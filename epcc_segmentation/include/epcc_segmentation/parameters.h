@@ -175,7 +175,7 @@ struct Parameters {
   MergingParameters merging;
   RefinementParameters refinement;
   EvidenceParameters evidence;
-  /// Threads for the scan lines; the result does not depend on it. [1, 256]
+  /// Threads for the scan lines (default mode: one a scan direction); the result does not depend on it. [1, 256]
   int threads = 1;
 
   /// The paper's: its mode, columns, k_max = 2 and 3, d_1 = 15 cm.

@@ -36,10 +36,10 @@ struct InverseDepthNoise {
 struct InverseDepthImage {
   int width = 0;
   int height = 0;
-  bool planar_rows = true;              ///< rows are planar sections too (false for spherical scans)
-  std::vector<float> w;                 ///< row-major, 0 = invalid
-  std::vector<float> weight;            ///< 1/sigma_w^2 of each; meaningless where w is 0
-  std::vector<float> w_transposed;      ///< the same, column-major
+  bool planar_rows = true;          ///< rows are planar sections too (false for spherical scans)
+  std::vector<float> w;             ///< row-major, 0 = invalid
+  std::vector<float> weight;        ///< 1/sigma_w^2 of each; meaningless where w is 0
+  std::vector<float> w_transposed;  ///< the same, column-major
   std::vector<float> weight_transposed;
   std::vector<double> across, forward;  ///< per column
   std::vector<double> along;            ///< per row

@@ -2,14 +2,15 @@
 // The default mode, S1 to S8, with its memory.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/directional_planes.h"
 #include "inverse_depth/inverse_depth_image.h"
-#include "inverse_depth/line_growing.h"
-#include "inverse_depth/plane_growing.h"
 #include "inverse_depth/region_map.h"
 
 namespace epcc {
@@ -33,28 +34,14 @@ class InverseDepthPipeline {
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
 
  private:
-  /// Everything that belongs to one scan direction.
-  struct Direction {
-    bool active = false;
-    std::vector<GrownLine> lines;
-    std::vector<std::size_t> line_begin;   // per scan line, into lines; one more at the end
-    std::vector<std::int32_t> segment_of;  // per pixel, scan-line-major; -1 none
-    std::vector<int> plane_of;             // per segment
-    std::vector<double> plane_points;      // per plane; 0 if the plane is too small
-    std::vector<std::int32_t> rank_of;     // per segment + 1: rank of its plane among all planes
-  };
-  void growLines(bool columns, Direction& direction);
-  void growPlanes(bool columns, Direction& direction);
   void rankPlanes();
   void joinBlock(int row_begin, int row_end, int column_begin, int column_end);
 
   Parameters parameters_;
   SensorModel sensor_;
   InverseDepthImage image_;
-  LineGrowing line_growing_;
-  PlaneGrowing plane_growing_;
-  Direction by_columns_;
-  Direction by_rows_;
+  std::array<DirectionalPlanes, 2> directions_;       // by columns, by rows
+  std::array<std::vector<std::int32_t>, 2> rank_of_;  // per segment + 1: rank of its plane among all planes
   std::vector<std::int32_t> label_of_rank_;
   RegionMap map_;
 };
