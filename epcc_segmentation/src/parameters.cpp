@@ -90,6 +90,7 @@ std::string EvidenceParameters::validate() const {
                   checkRange("evidence.min_samples", min_samples, 0.0, 1e6),
                   checkRange("evidence.max_chi2", max_chi2, kSmallest, 1e6),
                   checkRange("evidence.min_evidence", min_evidence, 0.0, 1e6),
+                  checkRange("evidence.rough_evidence", rough_evidence, 0.0, 1e6),
                   checkRange("evidence.min_radius", min_radius, 0.0, 1e6),
                   checkRange("evidence.bending_share", bending_share, 0.0, 1.0),
                   checkRange("evidence.bending_evidence", bending_evidence, 0.0, 1e6)});

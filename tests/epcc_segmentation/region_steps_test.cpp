@@ -127,6 +127,9 @@ TEST(Evidence, SizeRoughnessAndIndependentSamplesDecide) {
   EXPECT_TRUE(epcc::isPlane(flatRegion(700, 0.5), parameters, blotchy));
   EXPECT_FALSE(epcc::isPlane(flatRegion(500, 0.5), parameters, blotchy));   // 5 samples
   EXPECT_FALSE(epcc::isPlane(flatRegion(1000, 1.3), parameters, blotchy));  // 10 samples, chi^2 1.7
+  EXPECT_TRUE(epcc::isPlane(flatRegion(1800, 0.9), parameters, blotchy));   // 18 samples, chi^2 0.8
+  EXPECT_FALSE(epcc::isPlane(flatRegion(1800, 1.1), parameters, blotchy));  // 18 samples, chi^2 1.2
+  EXPECT_TRUE(epcc::isPlane(flatRegion(2200, 1.1), parameters, blotchy));
   EXPECT_TRUE(epcc::isPlane(flatRegion(3000, 1.3), parameters, blotchy));
 }
 

@@ -152,6 +152,8 @@ struct EvidenceParameters {
   double max_chi2 = 4.0;
   /// Independent samples a region needs, times max(0.5, chi^2). [0, 1e6]
   double min_evidence = 11.0;
+  /// The least if the region is rougher than the sensor, chi^2 > 1: pieces of clutter often are. [0, 1e6]
+  double rough_evidence = 20.0;
   /// Surfaces that bend with a smaller radius are not planes, metres ... [0, 1e6]
   double min_radius = 0.4;
   /// ... if bending explains at least this share of the squared residuals ... [0, 1]

@@ -15,7 +15,9 @@ bool isPlane(const PlaneMoments& region, const EvidenceParameters& parameters, c
   const RegionPlane plane(region);
   const double chi2 = plane.rss / (region.n * plane.slope_factor);
   if (chi2 > parameters.max_chi2) return false;
-  return region.n / pixels_per_sample >= parameters.min_evidence * std::max(0.5, chi2);
+  double needed = parameters.min_evidence * std::max(0.5, chi2);
+  if (chi2 > 1.0) needed = std::max(needed, parameters.rough_evidence);
+  return region.n / pixels_per_sample >= needed;
 }
 
 namespace {
