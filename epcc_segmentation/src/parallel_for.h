@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Splits a range of scan lines over threads.
+// Splits a range, of scan lines mostly, over threads.
 #pragma once
 
 #include <algorithm>

@@ -117,7 +117,8 @@ TEST(DefaultMode, TheNumberOfThreadsChangesNothing) {
 }
 
 TEST(DefaultMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksThem) {
-  // Error correlated over eight pixels: white noise on a coarse grid, interpolated.
+  // Error correlated over eight pixels: white noise on a coarse grid, interpolated. Both models are larger than a pixel
+  // is wide there, 4 mm: below that one model would be like the other.
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(320, 240));
   const int cell = 8;
   std::mt19937 generator(9);

@@ -63,10 +63,10 @@ TEST(InverseDepthImage, NoDepthIsBetterThanThePlaceInThePixel) {
   InverseDepthImage image;
   image.read(epcc::DepthFrame::fromDepth(depth.data(), camera));
   image.weigh(SensorModel::axial(0.001, 0.0));
-  EXPECT_NEAR(image.variance(1.0 / 3.0, 0), place2 / 81.0, 1e-12);
+  EXPECT_NEAR(image.noise.variance(1.0 / 3.0), place2 / 81.0, 1e-12);
   EXPECT_NEAR(image.weight[0], 81.0 / place2, 1.0);
   image.weigh(SensorModel::axial(0.01, 0.0));
-  EXPECT_NEAR(image.variance(1.0 / 3.0, 0), 0.01 * 0.01 / 81.0, 1e-12);
+  EXPECT_NEAR(image.noise.variance(1.0 / 3.0), 0.01 * 0.01 / 81.0, 1e-12);
 }
 
 // ---- moments ----
@@ -83,7 +83,7 @@ TEST(PlaneMoments, RunsAddUpToBruteForceSums) {
         const std::size_t pixel = static_cast<std::size_t>(row) * 40 + column;
         if (room.labels[pixel] != label) continue;
         const double w = static_cast<double>(image.w[pixel]);
-        ASSERT_NEAR(image.weight[pixel] * image.variance(w, row), 1.0, 1e-6);
+        ASSERT_NEAR(image.weight[pixel] * image.noise.variance(w), 1.0, 1e-6);
         brute.add(image.ray(row, column), w, 1.0 / image.weight[pixel]);
       }
     const auto& region = map.regions[static_cast<std::size_t>(label - 1)];

@@ -90,7 +90,6 @@ void InverseDepthImage::readPoints(const DepthFrame& frame) {
   }
 }
 
-// A value may come from anywhere in its pixel: the variance of an even distribution over it, mean of both directions.
 double InverseDepthImage::placeVariance() const {
   const double height_of_pixel = pixelPitch(along);
   const double width_of_pixel = planar_rows ? pixelPitch(across) : height_of_pixel;

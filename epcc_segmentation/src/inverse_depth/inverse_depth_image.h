@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
@@ -51,11 +52,13 @@ struct InverseDepthImage {
     return {across[static_cast<std::size_t>(column)], along[static_cast<std::size_t>(row)],
             forward[static_cast<std::size_t>(column)]};
   }
-  /// Variance of w in this row.
-  double variance(double value, int row) const {
-    const double scale = measured_scale[static_cast<std::size_t>(row)];
-    return noise.variance(value * scale) / (scale * scale);
+  /// Of a pixel in w and weight.
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
   }
+  /// A value may come from anywhere in its pixel: the variance of an even distribution over it, in ray coordinates,
+  /// mean of both directions.
+  double placeVariance() const;
 
   /// Reads a frame; memory is reused. Cloud rays are estimated per row and column from the points.
   void read(const DepthFrame& frame);
@@ -65,7 +68,6 @@ struct InverseDepthImage {
  private:
   void readDepths(const DepthFrame& frame);
   void readPoints(const DepthFrame& frame);
-  double placeVariance() const;
 };
 
 /// Mean change of a ray coordinate from one column or row to the next.

@@ -24,16 +24,18 @@ void InverseDepthPipeline::read(const DepthFrame& frame) {
   directions_[1].setActive(parameters_.scan != ScanDirection::Columns && image_.planar_rows);
 }
 
-// The directions know nothing of each other until S3.
 void InverseDepthPipeline::growLines() {
-  parallelFor(2, parameters_.threads, [this](int /*thread*/, int begin, int end) {
-    for (int k = begin; k < end; ++k) directions_[static_cast<std::size_t>(k)].growLines(image_);
-  });
+  inEachDirection(&DirectionalPlanes::growLines);
 }
 
 void InverseDepthPipeline::growPlanes() {
-  parallelFor(2, parameters_.threads, [this](int /*thread*/, int begin, int end) {
-    for (int k = begin; k < end; ++k) directions_[static_cast<std::size_t>(k)].growPlanes(image_);
+  inEachDirection(&DirectionalPlanes::growPlanes);
+}
+
+// The directions know nothing of each other until S3.
+void InverseDepthPipeline::inEachDirection(void (DirectionalPlanes::*step)(const InverseDepthImage&)) {
+  parallelFor(static_cast<int>(directions_.size()), parameters_.threads, [&](int /*thread*/, int begin, int end) {
+    for (int k = begin; k < end; ++k) (directions_[static_cast<std::size_t>(k)].*step)(image_);
   });
 }
 

@@ -34,6 +34,7 @@ class InverseDepthPipeline {
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
 
  private:
+  void inEachDirection(void (DirectionalPlanes::*step)(const InverseDepthImage&));
   void rankPlanes();
   void joinBlock(int row_begin, int row_end, int column_begin, int column_end);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Walks along rows and columns behind what is in front.
+#include "inverse_depth/region_contacts.h"
+
 #include <algorithm>
 #include <cstddef>
-
-#include "inverse_depth/region_contacts.h"
 
 namespace epcc {
 
@@ -39,7 +39,7 @@ class OcclusionWalk {
     line_start_ = start;
     line_step_ = step;
     length_ = length;
-    labels_ = map_.labels.data() + indexOf(start);
+    labels_ = map_.labels.data() + image_.index(start.row, start.column);
     stride_ = step.row * image_.width + step.column;
     for (int begin = 0, end = 0; begin < length; begin = end + 1) {
       end = begin + runLength(begin, 1, length) - 1;
@@ -87,15 +87,11 @@ class OcclusionWalk {
   Pixel pixelAt(int i) const {
     return {line_start_.row + i * line_step_.row, line_start_.column + i * line_step_.column};
   }
-  std::size_t indexOf(Pixel p) const {
-    return static_cast<std::size_t>(p.row) * static_cast<std::size_t>(image_.width) +
-           static_cast<std::size_t>(p.column);
-  }
   std::int32_t labelAt(int i) const { return labels_[static_cast<std::ptrdiff_t>(i) * stride_]; }
 
   Place placeOf(int i, std::int32_t label) const {
     const Pixel p = pixelAt(i);
-    const std::size_t index = indexOf(p);
+    const std::size_t index = image_.index(p.row, p.column);
     const auto w = static_cast<double>(image_.w[index]);
     if (!(w > 0.0)) return Place::Behind;  // a hole is no occluder
     const RegionPlane& plane = planes_[static_cast<std::size_t>(label) - 1];

@@ -7,10 +7,7 @@
 namespace epcc {
 
 void Contact::add(const InverseDepthImage& image, int row, int column, int other_row, int other_column) {
-  const auto weightAt = [&image](int r, int c) {
-    return static_cast<double>(image.weight[static_cast<std::size_t>(r) * static_cast<std::size_t>(image.width) +
-                                            static_cast<std::size_t>(c)]);
-  };
+  const auto weightAt = [&image](int r, int c) { return static_cast<double>(image.weight[image.index(r, c)]); };
   const double weight = 0.5 * (weightAt(row, column) + weightAt(other_row, other_column));
   const Eigen::Vector3d middle = 0.5 * (image.ray(row, column) + image.ray(other_row, other_column));
   ++count;
@@ -36,7 +33,7 @@ class ContactSearch {
     above_.assign(static_cast<std::size_t>(image_.width), LastLabel());
     const std::vector<std::int32_t> no_row(static_cast<std::size_t>(image_.width), 0);
     for (int row = 0; row < image_.height; ++row) {
-      const std::int32_t* labels = map_.labels.data() + pixel(row, 0);
+      const std::int32_t* labels = map_.labels.data() + image_.index(row, 0);
       const std::int32_t* upper_labels = row > 0 ? labels - image_.width : no_row.data();
       left_ = LastLabel();
       std::int32_t left_label = 0;
@@ -52,21 +49,17 @@ class ContactSearch {
   }
 
  private:
-  std::size_t pixel(int row, int column) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(column);
-  }
-
   void meetLeft(int row, int column, std::int32_t label, std::int32_t left_label) {
     if (left_label != 0) left_ = {left_label, column - 1};
-    if (meets(left_, label, column) && !seesBehind(pixel(row, left_.place), pixel(row, column), 1))
+    if (meets(left_, label, column) && !seesBehind(image_.index(row, left_.place), image_.index(row, column), 1))
       contact_[{left_.label, label}].add(image_, row, column, row, left_.place);
   }
 
   void meetAbove(int row, int column, std::int32_t label, std::int32_t upper_label) {
     LastLabel& upper = above_[static_cast<std::size_t>(column)];
     if (upper_label != 0) upper = {upper_label, row - 1};
-    if (meets(upper, label, row) &&
-        !seesBehind(pixel(upper.place, column), pixel(row, column), static_cast<std::size_t>(image_.width)))
+    if (meets(upper, label, row) && !seesBehind(image_.index(upper.place, column), image_.index(row, column),
+                                                static_cast<std::size_t>(image_.width)))
       contact_[{upper.label, label}].add(image_, row, column, upper.place, column);
   }
 

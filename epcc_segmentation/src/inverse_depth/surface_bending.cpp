@@ -109,8 +109,7 @@ std::vector<Bending> measureBending(const InverseDepthImage& image, const Region
   std::vector<std::uint8_t> on_grid(views.size());  // of the view's grid, the row
   for (int row = 0; row < image.height; ++row) {
     for (std::size_t k = 0; k < views.size(); ++k) on_grid[k] = row % views[k].stride() == 0;
-    const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
-    const std::int32_t* labels = map.labels.data() + start;
+    const std::int32_t* labels = map.labels.data() + image.index(row, 0);
     for (int begin = 0, end = 0; begin < image.width; begin = end) {
       while (end < image.width && labels[end] == labels[begin]) ++end;
       const std::int32_t k = view_of[static_cast<std::size_t>(labels[begin])];
@@ -118,7 +117,7 @@ std::vector<Bending> measureBending(const InverseDepthImage& image, const Region
       RegionView& view = views[static_cast<std::size_t>(k)];
       const int stride = view.stride();
       for (int column = (begin + stride - 1) / stride * stride; column < end; column += stride) {
-        const std::size_t pixel = start + static_cast<std::size_t>(column);
+        const std::size_t pixel = image.index(row, column);
         view.add(image.ray(row, column), static_cast<double>(image.w[pixel]), static_cast<double>(image.weight[pixel]));
       }
     }
