@@ -44,9 +44,9 @@ double sigmaOverError(double next_pixel_correlation) {
 /// What the model is to say at the bin. Three errors: what is seen; at least the quantisation of the depth, which flat
 /// blocks may hide and whose terraces are blotches; and the place of a value, which is known to a blotch, or a pixel,
 /// on surfaces of any slope.
-double targetSigma(const DepthBin& bin, double sigma_over_residual, double patch) {
+double targetSigma(const DepthBin& bin, double sigma_over_residual, double place) {
   const double seen = std::max(sigma_over_residual * bin.r, kSigmaOverBlotches * evenDeviation(bin.step));
-  return std::hypot(seen, evenDeviation(patch * bin.depth));
+  return std::hypot(seen, place * bin.depth);
 }
 
 /// Zero and kGrid - 1 values evenly spaced on a logarithmic scale.
@@ -108,9 +108,9 @@ SensorEstimate estimateSensor(const DepthFrame& frame) {
   }
   if (estimate.noise_class != NoiseClass::Long) guardAgainstClutter(image, size, bins);
   const double sigma_over_residual = sigmaOverError(correlation[0]) * blotches.errorOverResidual();
-  const double patch = blotches.length * pixelPitch(image.across);
+  const double place = blotches.length * std::sqrt(image.placeVariance());
   std::vector<double> log_targets;
-  for (const auto& bin : bins) log_targets.push_back(std::log(targetSigma(bin, sigma_over_residual, patch)));
+  for (const auto& bin : bins) log_targets.push_back(std::log(targetSigma(bin, sigma_over_residual, place)));
   fitSigma(bins, log_targets, estimate);
   return estimate;
 }
