@@ -8,7 +8,8 @@
 namespace epcc {
 
 /// The value below which `share` of the values lie; not for an empty list. Reorders its copy.
-inline double quantile(std::vector<double> values, double share) {
+template <typename Scalar>
+Scalar quantile(std::vector<Scalar> values, double share) {
   const auto at = values.begin() + static_cast<long>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
