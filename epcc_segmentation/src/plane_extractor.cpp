@@ -28,11 +28,12 @@ class StopWatch {
 };
 
 /// Labels in the frame's own order -> in that of the caller's arrays, which a transposed view does not share.
-void copyLabels(const DepthFrame& frame, const std::vector<std::int32_t>& from, std::vector<std::int32_t>& to) {
+void moveLabels(const DepthFrame& frame, std::vector<std::int32_t>& from, std::vector<std::int32_t>& to) {
   if (!frame.isTransposed()) {
-    to = from;
+    to.swap(from);  // each keeps its memory
     return;
   }
+  to.resize(from.size());
   std::size_t next = 0;
   for (int row = 0; row < frame.height(); ++row)
     for (int column = 0; column < frame.width(); ++column) to[frame.index(row, column)] = from[next++];
@@ -92,7 +93,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   pipeline.rejectClutter();     // S7
   pipeline.joinOccluded();      // S8
   times_.regions = watch.lap();
-  copyLabels(frame, pipeline.labels(), result.labels);
+  moveLabels(frame, pipeline.labels(), result.labels);
   times_.result = watch.lap();
   return pipeline.labelCount();
 }
@@ -100,7 +101,6 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
 void PlaneExtractor::prepare(const DepthFrame& frame, PlaneSegmentation& result) {
   result.width = std::max(0, frame.width());
   result.height = std::max(0, frame.height());
-  result.labels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
   result.planes.clear();
   times_ = StageTimes();
   error_ = parameters_.validate();
@@ -108,6 +108,8 @@ void PlaneExtractor::prepare(const DepthFrame& frame, PlaneSegmentation& result)
   if (error_.empty() && frame.empty()) error_ = "the frame is empty or its camera is invalid";
   if (error_.empty() && frame.projection() == Projection::Spherical && parameters_.scan == ScanDirection::Rows)
     error_ = "the rows of a spherical scan are cones, not planar sections: scan by columns";
+  if (error_.empty() && parameters_.mode == Mode::Default) return;  // which writes every label
+  result.labels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
 }
 
 }  // namespace epcc

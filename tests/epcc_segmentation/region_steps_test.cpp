@@ -99,7 +99,7 @@ TEST(RegionMerging, RegionsBelowTheSampleLimitAreDropped) {
   std::vector<std::int32_t> labels(room.labels.size(), 0);
   for (int i = 0; i < 100; ++i) labels[static_cast<std::size_t>(i)] = 1;
   auto map = regionsOf(image, labels, 1);  // 100 pixels: one independent sample
-  epcc::dropSmallRegions(epcc::MergingParameters(), blotchy, map);
+  merge(image, blotchy, map);
   EXPECT_EQ(map.labels, std::vector<std::int32_t>(room.labels.size(), 0));
   EXPECT_EQ(map.regions[0].n, 0.0);
 }

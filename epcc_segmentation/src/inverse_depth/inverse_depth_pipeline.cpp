@@ -105,7 +105,6 @@ void InverseDepthPipeline::mergeRegions() {
   const int bridge = std::max(parameters_.merging.min_bridge_pixels, static_cast<int>(blotch));
   epcc::mergeRegions(findContacts(image_, bridge, parameters_.refinement.max_residual, map_), parameters_.merging,
                      sensor_, map_);
-  dropSmallRegions(parameters_.merging, sensor_, map_);
 }
 
 void InverseDepthPipeline::refineBoundaries() {

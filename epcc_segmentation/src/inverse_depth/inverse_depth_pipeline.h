@@ -29,8 +29,8 @@ class InverseDepthPipeline {
   void rejectClutter();                ///< S7
   void joinOccluded();                 ///< S8
 
-  /// Row-major labels, 0 or index into the regions + 1; some regions may be empty.
-  const std::vector<std::int32_t>& labels() const { return map_.labels; }
+  /// Row-major labels, 0 or index into the regions + 1; some regions may be empty. They are the caller's to take away.
+  std::vector<std::int32_t>& labels() { return map_.labels; }
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
 
  private:

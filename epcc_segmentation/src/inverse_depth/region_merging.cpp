@@ -136,23 +136,22 @@ class Merger {
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue_;
 };
 
+/// Empties the small regions and takes the label 0 for what ended in them.
+void dropSmallRegions(double fewest_pixels, std::vector<PlaneMoments>& regions, std::vector<std::int32_t>& new_label) {
+  for (auto& region : regions)
+    if (region.n < fewest_pixels) region = PlaneMoments();
+  for (auto& label : new_label)
+    if (label != 0 && regions[static_cast<std::size_t>(label) - 1].n == 0.0) label = 0;
+}
+
 }  // namespace
 
 void mergeRegions(const RegionContacts& contacts, const MergingParameters& parameters, const SensorModel& sensor,
                   RegionMap& map) {
   Merger merger(parameters, sensor.pixelsPerSample(), map, byRegion(contacts, map.regions.size()));
   merger.run();
-  map.relabel(merger.roots());
-}
-
-void dropSmallRegions(const MergingParameters& parameters, const SensorModel& sensor, RegionMap& map) {
-  std::vector<std::int32_t> new_label(map.regions.size() + 1, 0);
-  for (std::size_t k = 0; k < map.regions.size(); ++k) {
-    if (map.regions[k].n < parameters.min_samples * sensor.pixelsPerSample())
-      map.regions[k] = PlaneMoments();
-    else
-      new_label[k + 1] = static_cast<std::int32_t>(k + 1);
-  }
+  std::vector<std::int32_t> new_label = merger.roots();
+  dropSmallRegions(parameters.min_samples * sensor.pixelsPerSample(), map.regions, new_label);
   map.relabel(new_label);
 }
 
