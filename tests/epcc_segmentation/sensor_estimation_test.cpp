@@ -87,6 +87,18 @@ TEST(SensorEstimation, LongBlotchesAreLongAndShortOnesMid) {
   EXPECT_NEAR(epcc::estimateSensor(short_blotches.frame()).correlation_length, 2.1, 0.5);
 }
 
+TEST(SensorEstimation, ReliefOnTheWallsDoesNotLengthenShortBlotches) {
+  auto flat = room();
+  addBlotches(flat, SensorModel::axial(0.003, 0.0), 3.0, 2);
+  auto relief = flat;
+  for (int row = 0; row < 480; ++row)  // as deep as the error, on three quarters of the frame
+    for (int column = 0; column < 480; ++column)
+      relief.depth[static_cast<std::size_t>(row * 640 + column)] +=
+          0.0035f * std::sin(0.15f * static_cast<float>(column));
+  const double length = epcc::estimateSensor(flat.frame()).correlation_length;
+  EXPECT_NEAR(epcc::estimateSensor(relief.frame()).correlation_length / length, 1.0, 0.12);
+}
+
 TEST(SensorEstimation, WhatTheBlocksAbsorbOfLongBlotchesIsAddedBack) {
   const SensorModel truth = SensorModel::axial(0.004, 0.006);
   auto grainy = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera(640, 480));

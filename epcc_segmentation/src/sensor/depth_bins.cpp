@@ -16,7 +16,6 @@ constexpr int kMostBlocks = 120;
 constexpr std::size_t kFewestPerBin = 4;
 constexpr double kBinsPerOctave = 3.0;
 constexpr double kLowQuantile = 0.2;
-constexpr double kFlatBlock = 1.5;     // blocks up to this many r tell the correlation
 constexpr double kClutteredBin = 3.0;  // in medians of r / z^2 over the bins
 constexpr double kClutterGuard = 1.1;
 
@@ -64,13 +63,13 @@ std::vector<DepthBin> clearBins(const std::vector<DepthBin>& bins) {
   return clear;
 }
 
-double correlationAt(const std::vector<DepthBin>& bins, std::size_t lag) {
+double correlationAt(const std::vector<DepthBin>& bins, std::size_t lag, double roughest) {
   double sum = 0.0;
   double weight = 0.0;
   for (const auto& bin : bins) {
     std::vector<double> values;
     for (const auto& block : bin.blocks)
-      if (block.residuals.r < kFlatBlock * bin.r) values.push_back(block.residuals.correlation[lag]);
+      if (block.residuals.r < roughest * bin.r) values.push_back(block.residuals.correlation[lag]);
     if (values.empty()) continue;
     sum += bin.weight * quantile(values, 0.5);
     weight += bin.weight;
@@ -93,10 +92,10 @@ std::vector<DepthBin> measureDepthBins(const InverseDepthImage& image, int block
   return usable;
 }
 
-std::array<double, kLags.size()> correlationOf(const std::vector<DepthBin>& bins) {
+std::array<double, kLags.size()> correlationOf(const std::vector<DepthBin>& bins, double roughest) {
   std::array<double, kLags.size()> correlation{};
   const auto clear = clearBins(bins);
-  for (std::size_t k = 0; k < kLags.size(); ++k) correlation[k] = correlationAt(clear, k);
+  for (std::size_t k = 0; k < kLags.size(); ++k) correlation[k] = correlationAt(clear, k, roughest);
   return correlation;
 }
 

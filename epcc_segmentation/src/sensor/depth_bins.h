@@ -26,9 +26,9 @@ struct DepthBin {
 /// At most 120 blocks, evenly spread; three bins per octave, those with fewer than four blocks left out.
 std::vector<DepthBin> measureDepthBins(const InverseDepthImage& image, int block_size);
 
-/// Autocorrelation of the flat blocks' residuals: the median in each bin, then the mean by their number of blocks.
-/// Bins full of clutter are left out. Not for an empty list.
-std::array<double, kLags.size()> correlationOf(const std::vector<DepthBin>& bins);
+/// Autocorrelation of the residuals of the blocks with less than `roughest` times their bin's r: the median in each
+/// bin, then the mean by their number of blocks. Bins full of clutter are left out. Not for an empty list.
+std::array<double, kLags.size()> correlationOf(const std::vector<DepthBin>& bins, double roughest);
 
 /// Half-size blocks fit between the clutter: lowers r to little more than they show. Only for errors that are short
 /// in them too.

@@ -19,6 +19,11 @@ namespace {
 constexpr double kSigmaOverWhite = 1.7;
 constexpr double kSigmaOverBlotches = 2.6;
 constexpr double kBlotchCorrelation = 0.3;
+// Blocks that tell the correlation, in r of their bin. Blotches as long as a block leave some blocks flat and
+// uncorrelated by chance, so that all but the clutter must speak; short ones leave all alike, and the flattest have the
+// least clutter.
+constexpr double kFlatBlock = 1.5;
+constexpr double kFlattestBlock = 1.2;
 constexpr double kLongCorrelation = 0.14;  // at a quarter of the block: half-size blocks would hardly see the error
 constexpr double kLengthOverFit = 1.2;     // a block shows a length of 8 px as 6.7
 constexpr double kLongestOfImage = 1.0 / 67;
@@ -95,14 +100,15 @@ SensorEstimate estimateSensor(const DepthFrame& frame) {
   if (bins.empty()) return estimate;
   for (const auto& bin : bins) estimate.blocks += bin.blocks.size();
 
-  const auto correlation = correlationOf(bins);
+  const auto correlation = correlationOf(bins, kFlatBlock);
   Blotches blotches;
   blotches.block_size = size;
   estimate.noise_class = NoiseClass::White;
   estimate.correlation_length = 1.0;
   if (!isWhite(correlation, size)) {
-    blotches = fitBlotches(correlation, size);
-    estimate.noise_class = correlation[size < 32 ? 2 : 3] > kLongCorrelation ? NoiseClass::Long : NoiseClass::Mid;
+    const bool is_long = correlation[size < 32 ? 2 : 3] > kLongCorrelation;
+    estimate.noise_class = is_long ? NoiseClass::Long : NoiseClass::Mid;
+    blotches = fitBlotches(is_long ? correlation : correlationOf(bins, kFlattestBlock), size);
     estimate.correlation_length =
         std::max(kShortestBlotch, std::min(kLengthOverFit * blotches.length, kLongestOfImage * longer_side));
   }
