@@ -180,7 +180,7 @@ TEST(SensorEstimation, NoiseFreeAndTinyFramesGiveAValidModel) {
 
 TEST(SensorEstimator, SettlesOverAStreamAndOutvotesAnOddFrame) {
   const SensorModel truth = SensorModel::axial(0.002, 0.001);
-  epcc::SensorEstimator estimator(5);
+  epcc::SensorEstimator estimator(5, 1);
   epcc::SensorEstimate stream;
   for (unsigned seed = 0; seed < 5; ++seed) {
     auto frame = room(320, 240);
@@ -193,6 +193,19 @@ TEST(SensorEstimator, SettlesOverAStreamAndOutvotesAnOddFrame) {
   EXPECT_EQ(stream.noise_class, NoiseClass::White);
   EXPECT_EQ(after.noise_class, NoiseClass::White);
   EXPECT_NEAR(after.model().sigmaZ(1.8) / stream.model().sigmaZ(1.8), 1.0, 0.15);
+}
+
+TEST(SensorEstimator, OnceSettledEveryFourthFrameIsMeasured) {
+  auto calm = room(320, 240), rough = room(320, 240);
+  epcc::test::addNoise(calm, SensorModel::axial(0.002, 0.0), 1);
+  epcc::test::addNoise(rough, SensorModel::axial(0.02, 0.0), 1);
+  epcc::SensorEstimator estimator(1, 4);
+  const double settled = estimator.update(calm.frame()).model().sigmaZ(1.8);
+  for (int skipped = 0; skipped < 3; ++skipped)
+    EXPECT_EQ(estimator.update(rough.frame()).model().sigmaZ(1.8), settled) << skipped;
+  EXPECT_GT(estimator.update(rough.frame()).model().sigmaZ(1.8), 5.0 * settled);
+  estimator.reset();
+  EXPECT_EQ(estimator.update(calm.frame()).model().sigmaZ(1.8), settled);
 }
 
 TEST(SensorEstimator, AnotherImageSizeStartsAfresh) {

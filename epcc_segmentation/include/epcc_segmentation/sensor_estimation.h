@@ -38,18 +38,25 @@ SensorEstimate estimateSensor(const DepthFrame& frame);
 /// frames, so that the model settles and does not flicker.
 class SensorEstimator {
  public:
-  /// Frames that are remembered. At least 1.
-  explicit SensorEstimator(std::size_t memory = 15);
-  /// Measures a frame and returns the estimate of the stream. A change of the image size starts afresh.
+  /// memory: frames that are remembered. interval: once so many are, only every interval-th frame is measured, which
+  /// saves time, and another sensor is noticed after memory * interval / 2 frames. Both at least 1.
+  explicit SensorEstimator(std::size_t memory = 15, std::size_t interval = 4);
+  /// Measures a frame, if its turn has come, and returns the estimate of the stream. A change of the image size starts
+  /// afresh.
   SensorEstimate update(const DepthFrame& frame);
   void reset();
 
  private:
+  SensorEstimate summary(SensorEstimate stream) const;
+
   std::size_t memory_;
+  std::size_t interval_;
+  std::size_t skipped_ = 0;  // frames since the last that was measured
   int width_ = 0;
   int height_ = 0;
   std::size_t next_ = 0;
   std::vector<SensorEstimate> estimates_;
+  SensorEstimate stream_;
 };
 
 }  // namespace epcc

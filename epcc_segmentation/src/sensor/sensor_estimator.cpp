@@ -9,17 +9,21 @@
 
 namespace epcc {
 
-SensorEstimator::SensorEstimator(std::size_t memory) : memory_(std::max<std::size_t>(memory, 1)) {}
+SensorEstimator::SensorEstimator(std::size_t memory, std::size_t interval)
+    : memory_(std::max<std::size_t>(memory, 1)), interval_(std::max<std::size_t>(interval, 1)) {}
 
 void SensorEstimator::reset() {
   estimates_.clear();
   next_ = 0;
+  skipped_ = 0;
 }
 
 SensorEstimate SensorEstimator::update(const DepthFrame& frame) {
   if (frame.width() != width_ || frame.height() != height_) reset();
   width_ = frame.width();
   height_ = frame.height();
+  if (estimates_.size() == memory_ && ++skipped_ < interval_) return stream_;
+  skipped_ = 0;
   const SensorEstimate latest = estimateSensor(frame);
   if (latest.blocks > 0) {
     if (estimates_.size() < memory_)
@@ -27,11 +31,14 @@ SensorEstimate SensorEstimator::update(const DepthFrame& frame) {
     else
       estimates_[next_++ % memory_] = latest;
   }
-  if (estimates_.empty()) return latest;
+  stream_ = estimates_.empty() ? latest : summary(latest);
+  return stream_;
+}
 
+/// Of what is remembered; never empty.
+SensorEstimate SensorEstimator::summary(SensorEstimate stream) const {
   std::array<int, 3> votes{};
   std::vector<double> a, b;
-  SensorEstimate stream = latest;
   stream.blocks = 0;
   for (const auto& estimate : estimates_) {
     ++votes[static_cast<std::size_t>(estimate.noise_class)];
