@@ -143,11 +143,6 @@ class Refiner {
     }
   }
 
-  Crease crease(std::int32_t a, std::int32_t b) const {
-    const auto found = creases_.find(RegionPair(a, b));
-    return found == creases_.end() ? Crease::Unknown : found->second;
-  }
-
   // ---- frontier ----
   void refineFrontier() {
     changes_.clear();
@@ -165,7 +160,7 @@ class Refiner {
     for (const std::size_t pixel : frontier_) queued_[pixel] = 0;
   }
 
-  std::int32_t bestLabel(std::size_t index) const {
+  std::int32_t bestLabel(std::size_t index) {
     const std::int32_t current = labels_[index];
     Pixel pixel;
     pixel.row = static_cast<int>(index / width());
@@ -207,13 +202,13 @@ class Refiner {
 
   enum class Decision { Keep, Flip, Residual };
   Decision creaseDecision(std::int32_t current, std::int32_t other, const Pixel& pixel, double current_error,
-                          double other_error) const {
+                          double other_error) {
     if (!use_creases_) return Decision::Residual;
     if (current_error > parameters_.crease_range || other_error > parameters_.crease_range) return Decision::Residual;
     const double difference = planeAt(current, pixel.row, pixel.column) - planeAt(other, pixel.row, pixel.column);
     if (difference * difference * pixel.weight > parameters_.crease_range * parameters_.crease_range)
       return Decision::Residual;
-    const Crease kind = crease(current, other);
+    const Crease kind = crease_of_[RegionPair(current, other)];
     if (kind == Crease::Unknown) return Decision::Residual;
     const bool current_is_surface = kind == Crease::Convex ? difference <= 0.0 : difference >= 0.0;
     if (current_is_surface) return Decision::Keep;
@@ -227,6 +222,7 @@ class Refiner {
   RegionPairs<Votes> votes_;
   RegionPairLookup<Votes> votes_of_{votes_};
   RegionPairs<Crease> creases_;
+  RegionPairLookup<Crease> crease_of_{creases_};
   std::vector<std::size_t> frontier_;
   std::vector<std::uint8_t> queued_;
   std::vector<Change> changes_;

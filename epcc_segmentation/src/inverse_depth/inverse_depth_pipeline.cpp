@@ -54,12 +54,16 @@ void InverseDepthPipeline::joinDirections() {
   map_.accumulate(image_);
 }
 
-// Planes of both directions by size, largest first; of equal ones those of the columns come first. Planes that are
-// too small have the last rank, label 0.
+// The planes of both directions that are large enough get labels, those of the columns first, and ranks by size,
+// largest first; of equal ones the smaller label comes first. The others have the last rank, label 0.
 void InverseDepthPipeline::rankPlanes() {
-  std::vector<double> points;
-  for (const auto& direction : directions_)
-    points.insert(points.end(), direction.planePoints().begin(), direction.planePoints().end());
+  std::vector<double> points;  // per label - 1
+  std::array<std::vector<std::int32_t>, 2> label_of_plane;
+  for (std::size_t k = 0; k < directions_.size(); ++k)
+    for (const double plane_points : directions_[k].planePoints()) {
+      if (plane_points > 0.0) points.push_back(plane_points);
+      label_of_plane[k].push_back(plane_points > 0.0 ? static_cast<std::int32_t>(points.size()) : 0);
+    }
   label_of_rank_.resize(points.size());
   std::iota(label_of_rank_.begin(), label_of_rank_.end(), 1);
   std::stable_sort(label_of_rank_.begin(), label_of_rank_.end(), [&](std::int32_t a, std::int32_t b) {
@@ -67,19 +71,16 @@ void InverseDepthPipeline::rankPlanes() {
   });
   const auto none = static_cast<std::int32_t>(points.size());
   std::vector<std::int32_t> rank_of_label(points.size() + 1, none);
-  for (std::int32_t rank = 0; rank < none; ++rank) {
-    const std::int32_t label = label_of_rank_[static_cast<std::size_t>(rank)];
-    if (points[static_cast<std::size_t>(label - 1)] > 0.0) rank_of_label[static_cast<std::size_t>(label)] = rank;
-  }
+  for (std::int32_t rank = 0; rank < none; ++rank)
+    rank_of_label[static_cast<std::size_t>(label_of_rank_[static_cast<std::size_t>(rank)])] = rank;
   label_of_rank_.push_back(0);
 
-  std::size_t first_label = 1;
   for (std::size_t k = 0; k < directions_.size(); ++k) {
     rank_of_[k].assign(1, none);  // pixels of no segment
     if (!directions_[k].active()) continue;
     for (const int plane : directions_[k].planeOf())
-      rank_of_[k].push_back(rank_of_label[first_label + static_cast<std::size_t>(plane)]);
-    first_label += directions_[k].planePoints().size();
+      rank_of_[k].push_back(
+          rank_of_label[static_cast<std::size_t>(label_of_plane[k][static_cast<std::size_t>(plane)])]);
   }
 }
 
