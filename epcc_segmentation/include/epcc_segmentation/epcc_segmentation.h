@@ -128,7 +128,8 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
   }
   /// By name, see SensorModel::presetNames(), or "auto". False, and nothing is changed, for an unknown name.
   bool setSensorModel(const std::string& preset_name);
-  /// The model is measured on each cloud and settles over a stream of them (SensorEstimator).
+  /// The model is measured on the clouds and settles over a stream of them; then every fourth is measured
+  /// (SensorEstimator).
   void setSensorModelAuto();
   /// The model that was set, or that the last call measured.
   const SensorModel& getSensorModel() const { return sensor_; }

@@ -39,7 +39,7 @@ SensorEstimate estimateSensor(const DepthFrame& frame);
 class SensorEstimator {
  public:
   /// memory: frames that are remembered. interval: once so many are, only every interval-th frame is measured, which
-  /// saves time, and another sensor is noticed after memory * interval / 2 frames. Both at least 1.
+  /// saves time; another sensor counts when more than half of what is remembered is its own. Both at least 1.
   explicit SensorEstimator(std::size_t memory = 15, std::size_t interval = 4);
   /// Measures a frame, if its turn has come, and returns the estimate of the stream. A change of the image size starts
   /// afresh.

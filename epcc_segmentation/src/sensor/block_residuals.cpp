@@ -92,8 +92,8 @@ std::optional<Eigen::Vector3d> fit(const Samples& samples, const BlockImage& inl
   return Eigen::Vector3d(inverse * Eigen::Vector3d(mw(0, 1), mw(1, 0), mw(0, 0)));
 }
 
-/// The 68 % quantile of the errors of `count` pixels, to half a percent: halvings of an interval of its logarithm,
-/// which need no order and no branch.
+/// The 68 % quantile of the errors of `count` pixels, to half a percent: halvings of an interval of its logarithm.
+/// quantile() orders the values, and with it the measuring of a frame takes a sixth longer.
 double scaleOf(const BlockImage& error, std::size_t count, double largest) {
   const Eigen::Array<float, Eigen::Dynamic, 1, 0, kLargestBlock * kLargestBlock, 1> size =
       Eigen::Map<const Eigen::ArrayXd>(error.data(), error.size()).abs().cast<float>();
