@@ -125,8 +125,8 @@ struct MergingParameters {
 /// S5: refinement of the borders (default mode). Residuals in sigma across the surface.
 struct RefinementParameters {
   int passes = 12;
-  /// An unlabelled pixel joins a region within this residual; what lies farther behind or in front of the regions on both
-  /// sides of it is a groove (S4) or an occluder (S8). (0, 100]
+  /// An unlabelled pixel joins a region within this residual; what lies farther behind or in front of the regions on
+  /// both sides of it is a groove (S4) or an occluder (S8). (0, 100]
   double max_residual = 3.0;
   /// A labelled pixel changes sides for a gain of this much. [0, 100]
   double flip_gain = 0.3;

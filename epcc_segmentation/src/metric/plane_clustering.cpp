@@ -67,9 +67,7 @@ void PlaneClustering::finish() {
 }
 
 PlaneClustering::Segment PlaneClustering::makeSegment(const LineSegment& line_segment) const {
-  const auto depth = [this](const Eigen::Vector3d& p) {
-    return isPerspective(projection_) ? p.z() : p.norm();
-  };
+  const auto depth = [this](const Eigen::Vector3d& p) { return isPerspective(projection_) ? p.z() : p.norm(); };
   Segment segment;
   segment.a = line_segment.a;
   segment.b = line_segment.b;
