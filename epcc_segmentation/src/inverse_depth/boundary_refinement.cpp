@@ -68,7 +68,7 @@ class Refiner {
 
   template <typename Visit>
   void forEachNeighbour(int row, int column, const Visit& visit) const {
-    const std::size_t pixel = static_cast<std::size_t>(row) * width() + column;
+    const std::size_t pixel = image_.index(row, column);
     if (column > 0) visit(pixel - 1);
     if (column + 1 < width()) visit(pixel + 1);
     if (row > 0) visit(pixel - width());
@@ -81,7 +81,7 @@ class Refiner {
     queued_.assign(labels_.size(), 0);
     const auto step = static_cast<std::size_t>(width());
     for (int row = 0; row < height(); ++row) {
-      const std::size_t start = static_cast<std::size_t>(row) * step;
+      const std::size_t start = image_.index(row, 0);
       const std::int32_t* here = labels_.data() + start;
       const std::int32_t* below = row + 1 < height() ? here + step : here;  // no border under the last row
       for (std::size_t column = 0; column < step; ++column) {
@@ -129,7 +129,7 @@ class Refiner {
 
   void vote(std::int32_t own, std::int32_t other, int row, int column) {
     if (row < 0 || row >= height() || column < 0 || column >= width()) return;
-    if (labels_[static_cast<std::size_t>(row) * width() + column] != own) return;
+    if (labels_[image_.index(row, column)] != own) return;
     Votes& v = votes_of_[RegionPair(own, other)];
     (planeAt(own, row, column) < planeAt(other, row, column) ? v.convex : v.concave)++;
   }
