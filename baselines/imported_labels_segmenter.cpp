@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "datasets/png_io.h"
+#include "datasets/files/png_io.h"
 
 namespace epcc {
 

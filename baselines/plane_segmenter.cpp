@@ -7,7 +7,7 @@
 #include <exception>
 
 #include "baselines/quiet_pcl.h"
-#include "plane_fit.h"
+#include "epcc_segmentation/plane_fit.h"
 
 namespace epcc {
 

@@ -1,14 +1,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Compile options shared by every target of the project.
+# What every target of the project shares.
 
-option(EPCC_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ON)
+option(EPCC_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 
 function(epcc_set_options target)
   target_compile_features(${target} PUBLIC cxx_std_17)
-  # No contraction to fused multiply-add: labels must not depend on the processor.
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wpedantic
-                         -fno-math-errno -ffp-contract=off)
-  if(EPCC_WARNINGS_AS_ERRORS)
-    target_compile_options(${target} PRIVATE -Werror)
+  set_target_properties(${target} PROPERTIES
+    CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    # No contraction to fused multiply-add: labels must not depend on the processor.
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wpedantic
+                           -fno-math-errno -ffp-contract=off)
+    if(EPCC_WARNINGS_AS_ERRORS)
+      target_compile_options(${target} PRIVATE -Werror)
+    endif()
   endif()
+endfunction()
+
+# epcc_add_library(NAME SOURCES a.cpp ... [PUBLIC lib ...] [PRIVATE lib ...]): the library of one room; its headers are
+# included by their path from the project's top.
+function(epcc_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  epcc_set_options(${name})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()

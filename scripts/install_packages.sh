@@ -6,7 +6,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache git ca-certificates
-  libeigen3-dev libpcl-dev libpng-dev libtbb-dev libhdf5-dev
+  libeigen3-dev libpcl-dev libpng-dev liblzf-dev libtbb-dev
   nlohmann-json3-dev libcli11-dev libgtest-dev libbenchmark-dev
   "$@"
 )

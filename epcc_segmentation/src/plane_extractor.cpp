@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "epcc_segmentation/plane_fit.h"
 #include "inverse_depth/inverse_depth_pipeline.h"
 #include "metric/metric_pipeline.h"
-#include "plane_fit.h"
 
 namespace epcc {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Moments of the labelled pixels, planes with their covariance, labels in order of size.
-#include "plane_fit.h"
+#include "epcc_segmentation/plane_fit.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -2,7 +2,7 @@
 // epcc_accuracy: the numbers and pictures of docs/accuracy.md.
 #include <iostream>
 
-#include "eval/accuracy_command.h"
+#include "eval/accuracy/accuracy_command.h"
 
 int main(int argc, char** argv) {
   return epcc::accuracyMain(argc, argv, std::cout, std::cerr);

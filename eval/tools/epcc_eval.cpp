@@ -2,7 +2,7 @@
 // epcc_eval: plane segmentation methods scored on labelled frames.
 #include <iostream>
 
-#include "eval/eval_command.h"
+#include "eval/batch/eval_command.h"
 
 int main(int argc, char** argv) {
   return epcc::evalMain(argc, argv, std::cout, std::cerr);

@@ -2,7 +2,7 @@
 // epcc_scene: labelled frames of rendered scenes.
 #include <iostream>
 
-#include "eval/scene_command.h"
+#include "eval/scene/scene_command.h"
 
 int main(int argc, char** argv) {
   return epcc::sceneMain(argc, argv, std::cout, std::cerr);

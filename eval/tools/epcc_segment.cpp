@@ -2,7 +2,7 @@
 // epcc_segment: planes of organized point clouds and depth images.
 #include <iostream>
 
-#include "eval/segment_command.h"
+#include "eval/segment/segment_command.h"
 
 int main(int argc, char** argv) {
   return epcc::segmentMain(argc, argv, std::cout, std::cerr);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "baselines/plane_segmenter.h"
-#include "support/rendered_room.h"
+#include "tests/support/rendered_room.h"
 
 namespace epcc::test {
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <set>
 
-#include "baselines/baseline_frames.h"
 #include "baselines/registry.h"
-#include "datasets/labelled_frame.h"
-#include "support/real_frames.h"
+#include "datasets/files/labelled_frame.h"
+#include "tests/baselines/baseline_frames.h"
+#include "tests/support/real_frames.h"
 
 namespace epcc::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "baselines/baseline_frames.h"
-#include "datasets/png_io.h"
+#include "datasets/files/png_io.h"
+#include "tests/baselines/baseline_frames.h"
 
 namespace epcc::test {
 namespace {

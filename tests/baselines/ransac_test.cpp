@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "baselines/baseline_frames.h"
+#include "tests/baselines/baseline_frames.h"
 
 namespace epcc::test {
 namespace {

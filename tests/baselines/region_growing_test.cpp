@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "baselines/baseline_frames.h"
 #include "baselines/registry.h"
 #include "baselines/voxel_cloud.h"
+#include "tests/baselines/baseline_frames.h"
 
 namespace epcc::test {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "baselines/baseline_frames.h"
 #include "baselines/epcc_segmenter.h"
+#include "tests/baselines/baseline_frames.h"
 
 namespace epcc::test {
 namespace {

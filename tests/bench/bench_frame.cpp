@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "datasets/scene.h"
-#include "datasets/sensor_noise.h"
+#include "datasets/noise/sensor_noise.h"
+#include "datasets/rendered/scene.h"
 
 namespace epcc::bench {
 

@@ -2,7 +2,7 @@
 // The frames that are timed: a rendered scene with the noise of a stereo camera, on grids of several sizes.
 #pragma once
 
-#include "datasets/labelled_frame.h"
+#include "datasets/files/labelled_frame.h"
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/sensor_model.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "support/rendered_room.h"
+#include "tests/support/rendered_room.h"
 
 namespace {
 

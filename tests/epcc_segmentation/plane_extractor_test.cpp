@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "support/rendered_room.h"
+#include "tests/support/rendered_room.h"
 
 namespace {
 

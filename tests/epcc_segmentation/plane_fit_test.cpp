@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Least-squares planes: exact data, order, and a covariance that predicts the scatter of repeated fits.
-#include "plane_fit.h"
+#include "epcc_segmentation/plane_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
-#include "support/rendered_room.h"
+#include "tests/support/rendered_room.h"
 
 namespace {
 

@@ -18,7 +18,7 @@ run(${CMAKE_COMMAND} --install ${BUILD_DIR}/epcc_segmentation --prefix ${prefix}
 # The public headers and no others; those of the PCL class where it was built.
 file(GLOB_RECURSE expected RELATIVE ${INCLUDE_DIR} ${INCLUDE_DIR}/*)
 if(NOT "pcl" IN_LIST components)
-  list(FILTER expected EXCLUDE REGEX "/epcc_segmentation\\.h$|/impl/")
+  list(FILTER expected EXCLUDE REGEX "/epcc_segmentation\\.h$|/pcl/")
 endif()
 file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*)
 list(SORT headers)

@@ -2,8 +2,8 @@
 // Every real labelled frame is read and segmented, and its largest ground-truth surfaces are found.
 #include <gtest/gtest.h>
 
-#include "scored_frames.h"
-#include "support/real_frames.h"
+#include "tests/real_frames/scored_frames.h"
+#include "tests/support/real_frames.h"
 
 namespace epcc {
 namespace {

@@ -6,11 +6,11 @@
 #include <iostream>
 #include <set>
 
-#include "datasets/labelled_frame.h"
-#include "datasets/organized_pcd.h"
+#include "datasets/files/labelled_frame.h"
+#include "datasets/files/organized_pcd.h"
 #include "epcc_segmentation/plane_extractor.h"
-#include "scored_frames.h"
-#include "support/real_frames.h"
+#include "tests/real_frames/scored_frames.h"
+#include "tests/support/real_frames.h"
 
 namespace epcc {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads, segments, counts overlaps.
-#include "scored_frames.h"
+#include "tests/real_frames/scored_frames.h"
 
 #include <algorithm>
 
-#include "datasets/input_error.h"
+#include "datasets/support/input_error.h"
 #include "epcc_segmentation/plane_extractor.h"
 
 namespace epcc::test {

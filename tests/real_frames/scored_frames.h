@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "datasets/labelled_frame.h"
+#include "datasets/files/labelled_frame.h"
 #include "epcc_segmentation/parameters.h"
-#include "eval/paper_measures.h"
-#include "eval/segcomp_measures.h"
+#include "eval/measures/paper_measures.h"
+#include "eval/measures/segcomp_measures.h"
 
 namespace epcc::test {
 

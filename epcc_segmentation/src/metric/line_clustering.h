@@ -7,7 +7,7 @@
 
 #include "epcc_segmentation/parameters.h"
 #include "metric/recursive_statistics.h"
-#include "scan_line.h"
+#include "metric/scan_line.h"
 
 namespace epcc {
 

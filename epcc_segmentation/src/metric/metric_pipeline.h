@@ -9,7 +9,7 @@
 #include "epcc_segmentation/sensor_model.h"
 #include "metric/line_clustering.h"
 #include "metric/plane_clustering.h"
-#include "scan_line.h"
+#include "metric/scan_line.h"
 
 namespace epcc {
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the camera keys one by one, each with its range.
+#include "datasets/files/camera_json.h"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "datasets/files/image.h"
+#include "datasets/support/atomic_file.h"
+#include "datasets/support/input_error.h"
+
+namespace epcc {
+
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 16u << 20;
+constexpr int kDeepestNesting = 100;
+constexpr double kLargestDepthScale = 1000.0;
+
+std::string readText(const std::string& path) {
+  if (inputFileSize(path) > kLargestFile) throw InputError(path, "file", "is larger than 16 MiB");
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw InputError(path, "file", "cannot be read");
+  return text.str();
+}
+
+double number(const std::string& path, const nlohmann::json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end()) throw InputError(path, key, "is missing");
+  if (!found->is_number()) throw InputError(path, key, "is not a number");
+  const double value = found->get<double>();
+  if (!std::isfinite(value)) throw InputError(path, key, "is not finite");
+  return value;
+}
+
+int imageSide(const std::string& path, const nlohmann::json& json, const char* key) {
+  const double value = number(path, json, key);
+  if (value != std::floor(value) || value < 1.0 || value > kLargestImageSide)
+    throw InputError(path, key, "must be a whole number from 1 to " + std::to_string(kLargestImageSide));
+  return static_cast<int>(value);
+}
+
+std::optional<std::string> text(const std::string& path, const nlohmann::json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end() || found->is_null()) return std::nullopt;
+  if (!found->is_string()) throw InputError(path, key, "is not a text");
+  return found->get<std::string>();
+}
+
+}  // namespace
+
+nlohmann::json readJsonObject(const std::string& path) {
+  try {
+    const auto too_deep = [&path](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+      if (depth > kDeepestNesting) throw InputError(path, "JSON", "is nested too deeply");
+      return true;
+    };
+    auto json = nlohmann::json::parse(readText(path), too_deep);
+    if (!json.is_object()) throw InputError(path, "JSON", "is not an object");
+    return json;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(path, "JSON", error.what());
+  }
+}
+
+double positiveNumber(const std::string& path, const nlohmann::json& json, const char* key) {
+  const double value = number(path, json, key);
+  if (!(value > 0.0)) throw InputError(path, key, "must be positive");
+  return value;
+}
+
+CameraFile readCameraJson(const std::string& path) {
+  nlohmann::json json = readJsonObject(path);
+  CameraFile file;
+  file.camera.width = imageSide(path, json, "width");
+  file.camera.height = imageSide(path, json, "height");
+  if (static_cast<long>(file.camera.width) * file.camera.height > kMostPixels)
+    throw InputError(path, "width", "times height is more than " + std::to_string(kMostPixels) + " pixels");
+  file.camera.fx = positiveNumber(path, json, "fx");
+  file.camera.fy = positiveNumber(path, json, "fy");
+  file.camera.cx = number(path, json, "cx");
+  file.camera.cy = number(path, json, "cy");
+  file.depth_scale = positiveNumber(path, json, "depth_scale");
+  if (file.depth_scale > kLargestDepthScale) throw InputError(path, "depth_scale", "is more than 1000 m a unit");
+  file.name = text(path, json, "name").value_or("");
+  file.noise = text(path, json, "noise");
+  for (const char* key : {"width", "height", "fx", "fy", "cx", "cy", "depth_scale", "name", "noise"}) json.erase(key);
+  file.extra = std::move(json);
+  return file;
+}
+
+void writeCameraJson(const std::string& path, const CameraFile& file) {
+  const std::string problem = file.camera.validate();
+  if (!problem.empty()) throw OutputError(path, "camera", problem);
+  if (!(std::isfinite(file.depth_scale) && file.depth_scale > 0.0))
+    throw OutputError(path, "depth_scale", "must be positive");
+  nlohmann::json json = file.extra.is_object() ? file.extra : nlohmann::json::object();
+  json["width"] = file.camera.width;
+  json["height"] = file.camera.height;
+  json["fx"] = file.camera.fx;
+  json["fy"] = file.camera.fy;
+  json["cx"] = file.camera.cx;
+  json["cy"] = file.camera.cy;
+  json["depth_scale"] = file.depth_scale;
+  if (!file.name.empty()) json["name"] = file.name;
+  if (file.noise) json["noise"] = *file.noise;
+  writeTextFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace epcc

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The native format: NAME_depth.png, NAME_labels.png and NAME.json; a folder holds many.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "datasets/files/camera_json.h"
+#include "datasets/files/image.h"
+
+namespace epcc {
+
+/// A frame with its ground truth. `labels` is empty for an unlabelled frame.
+struct LabelledFrame {
+  std::string name;
+  CameraFile camera;
+  DepthImage depth;
+  LabelImage labels;
+  /// x, y, z of every pixel of a cloud, whose measured values (ranges of a spherical scan) `depth` holds; empty for a
+  /// depth image, whose pixels `camera` turns into points.
+  std::vector<float> scan;
+  Projection projection = Projection::Spherical;  ///< of `scan`
+};
+
+/// What a segmenter is given; the frame must outlive it.
+DepthFrame frameView(const LabelledFrame& frame);
+
+/// Names of the frames of a folder, sorted; InputError if it cannot be listed.
+std::vector<std::string> listLabelledFrames(const std::string& folder);
+/// Reads NAME's three files; InputError names the file whose size disagrees.
+LabelledFrame readLabelledFrame(const std::string& folder, const std::string& name);
+/// Depth is stored in units of camera.depth_scale, rounded; depths that do not fit 16 bits become invalid.
+void writeLabelledFrame(const std::string& folder, const LabelledFrame& frame);
+
+/// Raw depth units -> metres.
+DepthImage depthFromPng(const Image<std::uint16_t>& raw, double depth_scale);
+
+}  // namespace epcc

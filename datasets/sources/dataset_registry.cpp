@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of formats; a new one is a line here.
+#include "datasets/sources/dataset_registry.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "datasets/sources/abw_folder.h"
+#include "datasets/sources/labelled_cloud.h"
+#include "datasets/sources/native_folder.h"
+#include "datasets/sources/scannet_folder.h"
+#include "datasets/sources/tum_folder.h"
+#include "datasets/support/folder_listing.h"
+#include "datasets/support/input_error.h"
+#include "datasets/support/joined.h"
+
+namespace epcc {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool never(const std::string&) {
+  return false;
+}
+bool isNativeFolder(const std::string& path) {
+  return !anyFileEndingIn(path, "_depth.png").empty();
+}
+bool isCloudFolder(const std::string& path) {
+  return !anyFileEndingIn(path, ".pcd").empty();
+}
+
+template <typename Source>
+std::unique_ptr<FrameSource> open(const std::string& path) {
+  return std::make_unique<Source>(path);
+}
+
+/// FORMAT:PATH taken apart; `format` stays null where no format is named.
+struct Named {
+  const DatasetFormat* format = nullptr;
+  std::string path;
+  std::string unknown;  ///< what looks like a format and is none
+};
+
+bool looksLikeFormat(const std::string& word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+  });
+}
+
+Named takeApart(const std::string& text) {
+  Named named;
+  named.path = text;
+  const std::size_t colon = text.find(':');
+  std::error_code code;
+  if (colon == std::string::npos || fs::exists(text, code)) return named;
+  const std::string word = text.substr(0, colon);
+  if (!looksLikeFormat(word)) return named;
+  for (const DatasetFormat& format : datasetFormats())
+    if (format.name == word) named.format = &format;
+  if (named.format == nullptr)
+    named.unknown = word;
+  else
+    named.path = text.substr(colon + 1);
+  return named;
+}
+
+}  // namespace
+
+const std::vector<DatasetFormat>& datasetFormats() {
+  static const std::vector<DatasetFormat> formats = {
+      {"native", "NAME_depth.png, NAME_labels.png, NAME.json", isNativeFolder, open<NativeFolder>},
+      {"abw", "SegComp ABW, Sun raster", isAbwFolder, open<AbwFolder>},
+      {"scannet", "ScanNet scene: depth/, intrinsic/", isScannetFolder, openScannetFolder},
+      {"tum", "TUM RGB-D or ICL-NUIM, camera by the folder's name", isTumFolder, openTumFolder},
+      {"tum-fr1", "TUM RGB-D, Freiburg 1", never, openTumFreiburg1},
+      {"tum-fr2", "TUM RGB-D, Freiburg 2", never, openTumFreiburg2},
+      {"tum-fr3", "TUM RGB-D, Freiburg 3", never, openTumFreiburg3},
+      {"icl", "ICL-NUIM in TUM's layout", never, openIclFolder},
+      {"pcd", "organized PCD with a field label or intensity", isCloudFolder, open<LabelledCloudFolder>},
+  };
+  return formats;
+}
+
+std::vector<std::string> formatNames() {
+  std::vector<std::string> names;
+  for (const DatasetFormat& format : datasetFormats()) names.push_back(format.name);
+  return names;
+}
+
+std::unique_ptr<FrameSource> openDataset(const std::string& text) {
+  const Named named = takeApart(text);
+  if (!named.unknown.empty())
+    throw InputError(text, "format", "there is none called '" + named.unknown + "', only " + joined(formatNames()));
+  if (named.format != nullptr) return named.format->open(named.path);
+  std::error_code code;
+  if (!fs::exists(text, code)) throw InputError(text, "folder", "does not exist");
+  for (const DatasetFormat& format : datasetFormats())
+    if (format.recognises(text)) return format.open(text);
+  throw InputError(text, "folder",
+                   "has no frame NAME_depth.png and is none of the known data sets; FORMAT:FOLDER names the format (" +
+                       joined(formatNames()) + ")");
+}
+
+std::string datasetName(const std::string& text) {
+  return folderName(takeApart(text).path);
+}
+
+}  // namespace epcc

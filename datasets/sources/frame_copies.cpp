@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pixels, camera and noise of the copies.
+#include "datasets/sources/frame_copies.h"
+
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "epcc_segmentation/sensor_model.h"
+
+namespace epcc {
+
+namespace {
+
+/// The image whose pixel (row, column) is the original's pixel at(row, column).
+template <typename Pixel, typename Source>
+Image<Pixel> gathered(const Image<Pixel>& original, int width, int height, const Source& source) {
+  Image<Pixel> image(width, height);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column) {
+      const auto [from_row, from_column] = source(row, column);
+      image.at(row, column) = original.at(from_row, from_column);
+    }
+  return image;
+}
+
+template <typename Source>
+void gather(LabelledFrame& frame, const Source& source) {
+  const PinholeCamera& camera = frame.camera.camera;
+  frame.depth = gathered(frame.depth, camera.width, camera.height, source);
+  if (!frame.labels.empty()) frame.labels = gathered(frame.labels, camera.width, camera.height, source);
+}
+
+/// The command-line form has a correlation length for axial models only.
+std::string halvedLength(const std::string& noise) {
+  const auto model = SensorModel::parse(noise);
+  if (!model || model->isPolynomial()) return noise;
+  char text[128];
+  std::snprintf(text, sizeof text, "%.17g,%.17g,%.17g", model->coefficients()[0], model->coefficients()[1],
+                0.5 * model->correlationLength());
+  return text;
+}
+
+void mirror(LabelledFrame& frame) {
+  PinholeCamera& camera = frame.camera.camera;
+  const int last = camera.width - 1;
+  camera.cx = last - camera.cx;
+  gather(frame, [last](int row, int column) { return std::pair(row, last - column); });
+}
+
+void transpose(LabelledFrame& frame) {
+  PinholeCamera& camera = frame.camera.camera;
+  std::swap(camera.width, camera.height);
+  std::swap(camera.fx, camera.fy);
+  std::swap(camera.cx, camera.cy);
+  gather(frame, [](int row, int column) { return std::pair(column, row); });
+}
+
+void halve(LabelledFrame& frame) {
+  PinholeCamera& camera = frame.camera.camera;
+  camera.width = (camera.width + 1) / 2;
+  camera.height = (camera.height + 1) / 2;
+  for (double* value : {&camera.fx, &camera.fy, &camera.cx, &camera.cy}) *value *= 0.5;
+  if (frame.camera.noise) frame.camera.noise = halvedLength(*frame.camera.noise);
+  gather(frame, [](int row, int column) { return std::pair(2 * row, 2 * column); });
+}
+
+}  // namespace
+
+std::vector<FrameCopy> frameCopies() {
+  return {FrameCopy::Mirrored, FrameCopy::Transposed, FrameCopy::HalfResolution};
+}
+
+std::string copyName(FrameCopy copy) {
+  if (copy == FrameCopy::Mirrored) return "mirrored";
+  return copy == FrameCopy::Transposed ? "transposed" : "half";
+}
+
+LabelledFrame copiedFrame(const LabelledFrame& frame, FrameCopy copy) {
+  if (!frame.scan.empty()) throw std::invalid_argument("only a camera's frame can be copied onto another grid");
+  LabelledFrame result = frame;
+  if (result.camera.extra.is_object()) result.camera.extra.erase("planes");
+  if (copy == FrameCopy::Mirrored) mirror(result);
+  if (copy == FrameCopy::Transposed) transpose(result);
+  if (copy == FrameCopy::HalfResolution) halve(result);
+  return result;
+}
+
+}  // namespace epcc

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A folder of native labelled frames as a data set.
+#pragma once
+
+#include <string>
+
+#include "datasets/sources/named_frames.h"
+
+namespace epcc {
+
+/// A folder of native labelled frames, in the order of their names; the data set is named after the folder.
+class NativeFolder : public NamedFrames {
+ public:
+  /// Throws InputError for a folder that cannot be listed or has no frame.
+  explicit NativeFolder(const std::string& folder);
+  LabelledFrame read(std::size_t index) const override;
+};
+
+}  // namespace epcc

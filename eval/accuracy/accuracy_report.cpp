@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Picks the rows of each table from the summaries; puts tables into the page.
+#include "eval/accuracy/accuracy_report.h"
+
+#include <algorithm>
+
+#include "datasets/rendered/scene.h"
+#include "datasets/sources/frame_copies.h"
+#include "datasets/support/input_error.h"
+
+namespace epcc {
+
+namespace {
+
+using Cells = std::vector<std::string>;
+using Names = std::vector<std::string>;
+
+/// Sum over data sets of one method; those that were not run add nothing.
+SummaryRow sumOf(const ExperimentSummary& summary, const Names& datasets, const std::string& method) {
+  SummaryRow sum{{}, method, 0, 0, {}, {}};
+  for (const SummaryRow& row : summary.rows())
+    if (row.method == method && std::find(datasets.begin(), datasets.end(), row.dataset) != datasets.end()) sum += row;
+  return sum;
+}
+
+std::string count(long value) {
+  return std::to_string(value);
+}
+
+std::string ratio(long part, long whole) {
+  return whole > 0 ? numberCell(static_cast<double>(part) / static_cast<double>(whole), 2) : "-";
+}
+
+void append(Cells& cells, const Cells& more) {
+  cells.insert(cells.end(), more.begin(), more.end());
+}
+
+Table tableOf(const Names& left, const Names& right) {
+  Table table;
+  for (const std::string& title : left) table.columns.push_back({title, false});
+  for (const std::string& title : right) table.columns.push_back({title, true});
+  return table;
+}
+
+Table totalsTable(const ExperimentSummary& all) {
+  Table table = tableOf({"data", "method"}, {"frames", "N", "IC/N", "D/N", "N_o", "N_u", "correct", "noise", "ms"});
+  for (const std::string& dataset : accuracyDatasets())
+    for (const std::string& method : accuracyMethods()) {
+      const SummaryRow row = sumOf(all, {dataset}, method);
+      if (row.frames == 0) continue;
+      const PaperMeasures& paper = row.measures.paper;
+      const auto ms = row.medianMs();
+      table.rows.push_back(
+          {dataset, method, count(row.frames), count(paper.surfaces), ratio(paper.clusters, paper.surfaces),
+           ratio(paper.detected, paper.surfaces), count(paper.over_segmented), count(paper.under_segmented),
+           count(row.measures.segcomp.correct), count(row.measures.segcomp.noise), ms ? numberCell(*ms, 0) : "-"});
+    }
+  return table;
+}
+
+/// N, IC/N, D/N, correct, noise.
+Cells shortCells(const SummaryRow& row) {
+  const PaperMeasures& paper = row.measures.paper;
+  return {count(paper.surfaces), ratio(paper.clusters, paper.surfaces), ratio(paper.detected, paper.surfaces),
+          count(row.measures.segcomp.correct), count(row.measures.segcomp.noise)};
+}
+
+Table halvesTable(const AccuracyResult& result) {
+  Table table = tableOf({"data", "method"}, {"even N", "IC/N", "D/N", "correct", "noise"});
+  for (const char* title : {"odd N", "IC/N", "D/N", "correct", "noise"}) table.columns.push_back({title, true});
+  for (const std::string& dataset : accuracyDatasets())
+    for (const char* method : {"epcc", kAutoMethod}) {
+      const SummaryRow even = sumOf(result.halves[0], {dataset}, method);
+      const SummaryRow odd = sumOf(result.halves[1], {dataset}, method);
+      if (odd.frames == 0) continue;  // a single frame has no halves
+      Cells cells = {dataset, method};
+      append(cells, shortCells(even));
+      append(cells, shortCells(odd));
+      table.rows.push_back(cells);
+    }
+  return table;
+}
+
+Table copiesTable(const ExperimentSummary& all) {
+  Table table = tableOf({"data", "copy"}, {"N", "IC/N", "D/N", "correct", "noise", "auto correct", "auto noise"});
+  for (const std::string& dataset : accuracyDatasets()) {
+    std::vector<std::pair<std::string, std::string>> copies = {{"original", dataset}};
+    for (const FrameCopy copy : frameCopies()) copies.emplace_back(copyName(copy), dataset + "-" + copyName(copy));
+    if (sumOf(all, {copies.back().second}, "epcc").frames == 0) continue;
+    for (const auto& [name, source] : copies) {
+      Cells cells = {dataset, name};
+      append(cells, shortCells(sumOf(all, {source}, "epcc")));
+      const SegcompMeasures measured = sumOf(all, {source}, kAutoMethod).measures.segcomp;
+      append(cells, {count(measured.correct), count(measured.noise)});
+      table.rows.push_back(cells);
+    }
+  }
+  return table;
+}
+
+Table scenesTable(const ExperimentSummary& all) {
+  Table table = tableOf({"noise", "scene"}, {"N"});
+  for (const std::string& method : accuracyMethods()) table.columns.push_back({method, true});
+  const auto add = [&](const std::string& noise, const std::string& scene, const Names& datasets) {
+    Cells cells = {noise, scene, count(sumOf(all, datasets, "epcc").measures.paper.surfaces)};
+    for (const std::string& method : accuracyMethods()) {
+      const SegcompMeasures sum = sumOf(all, datasets, method).measures.segcomp;
+      cells.push_back(count(sum.correct) + " (" + count(sum.noise) + ")");
+    }
+    table.rows.push_back(cells);
+  };
+  Names every;
+  for (const std::string& noise : accuracyNoises())
+    for (const std::string& scene : sceneNames()) {
+      every.push_back(sceneDataset(scene, noise));
+      add(noise, scene, {every.back()});
+    }
+  add("both", "all", every);
+  return table;
+}
+
+/// "4 of 5": frames on which wall and second plane are both correct.
+std::string separateFrames(const std::vector<FrameRecord>& records, const std::string& dataset,
+                           const std::string& method) {
+  long frames = 0, separate = 0;
+  for (const FrameRecord& record : records) {
+    if (record.dataset != dataset || record.method != method) continue;
+    ++frames;
+    separate += record.measures.segcomp.correct == 2 ? 1 : 0;
+  }
+  return count(separate) + " of " + count(frames);
+}
+
+Table stepsTable(const std::vector<FrameRecord>& records) {
+  Table table = tableOf({"what", "sensor"}, {"step cm", "epcc", kAutoMethod});
+  for (const AccuracyStep& step : accuracySteps())
+    table.rows.push_back({step.scene, step.sensor, numberCell(100.0 * step.metres, 0),
+                          separateFrames(records, stepDataset(step), "epcc"),
+                          separateFrames(records, stepDataset(step), kAutoMethod)});
+  return table;
+}
+
+Table framesTable(const std::vector<FrameRecord>& records) {
+  Table table = tableOf({"data", "frame"}, {"N", "correct", "over", "under", "missed", "noise"});
+  for (const char* title : {"auto correct", "auto noise"}) table.columns.push_back({title, true});
+  for (const FrameRecord& record : records) {
+    const SegcompMeasures& segcomp = record.measures.segcomp;
+    const Cells both = {count(segcomp.correct), count(segcomp.noise)};
+    if (record.method == kAutoMethod) {
+      append(table.rows.back(), both);
+      continue;
+    }
+    table.rows.push_back({record.dataset, record.frame, count(record.measures.paper.surfaces), both[0],
+                          count(segcomp.over), count(segcomp.under), count(segcomp.missed), both[1]});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<NamedTable> accuracyTables(const AccuracyResult& result) {
+  return {{"totals", totalsTable(result.all)}, {"halves", halvesTable(result)},
+          {"copies", copiesTable(result.all)}, {"scenes", scenesTable(result.all)},
+          {"steps", stepsTable(result.steps)}, {"frames", framesTable(result.frames)}};
+}
+
+std::string pageWithTables(const std::string& page, const std::vector<NamedTable>& tables, const std::string& file) {
+  const std::string end_mark = "<!-- end of table -->";
+  std::string text = page;
+  for (const auto& [name, table] : tables) {
+    const std::string mark = "<!-- table " + name + " -->\n";
+    const std::size_t start = text.find(mark);
+    if (start == std::string::npos) throw InputError(file, name, "there is no line <!-- table " + name + " -->");
+    const std::size_t from = start + mark.size();
+    const std::size_t end = text.find(end_mark, from);
+    const std::size_t next = text.find("<!-- table ", from);
+    if (end == std::string::npos || next < end) throw InputError(file, name, "the table's place has no " + end_mark);
+    text.replace(from, end - from, "\n" + markdownTable(table) + "\n");
+  }
+  return text;
+}
+
+}  // namespace epcc

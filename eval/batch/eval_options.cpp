@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, checks and help texts of the options of epcc_eval.
+#include "eval/batch/eval_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <set>
+#include <sstream>
+
+#include "baselines/registry.h"
+#include "datasets/sources/dataset_registry.h"
+#include "datasets/support/input_error.h"
+#include "datasets/support/joined.h"
+#include "eval/batch/eval_methods.h"
+#include "eval/program/command_line.h"
+#include "eval/program/frame_sensor.h"
+
+namespace epcc {
+namespace {
+
+constexpr const char* kDescription =
+    "Scores plane segmentation methods on labelled frames.\n"
+    "DATASET is a folder: frames NAME_depth.png, NAME_labels.png, NAME.json, or a data set as distributed, whose "
+    "format\n"
+    "is found out or named, FORMAT:FOLDER (docs/formats.md). Its name in the report is the folder's.";
+
+constexpr const char* kFooter =
+    "epcc_eval merge DIR... --out DIR joins shards; see epcc_eval merge --help.\n"
+    "Exit codes: 0 done (frames that could not be scored are counted and named), 2 wrong usage or --out holds another\n"
+    "run, 3 no frame could be scored or, with --strict, any could not, 4 an output could not be written.";
+
+/// The options as typed.
+struct RawOptions {
+  std::vector<std::string> datasets;
+  std::vector<std::string> predictions;
+  std::string methods;
+  std::string shard = "1/1";
+};
+
+void settleMethods(const std::string& list, EvalOptions& options) {
+  if (list == "none") return;
+  const std::vector<std::string> known = segmenterNames();
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) {
+    require(std::find(known.begin(), known.end(), word) != known.end(),
+            "--methods: there is no method '" + word + "'; there are " + joined(known) + ", or none");
+    require(std::find(options.methods.begin(), options.methods.end(), word) == options.methods.end(),
+            "--methods: '" + word + "' is named twice");
+    options.methods.push_back(word);
+  }
+}
+
+/// NAME=DIR where NAME can name a folder; anything else after --predictions is a DATASET.
+bool isPrediction(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  return equals != std::string::npos && text.substr(0, equals).find('/') == std::string::npos;
+}
+
+void settlePredictions(const RawOptions& raw, EvalOptions& options) {
+  std::set<std::string> names;
+  for (const std::string& method : options.methods)
+    for (const std::string& name : seededNames(method, options.seeds)) names.insert(name);
+  for (const std::string& text : raw.predictions) {
+    if (!isPrediction(text)) {
+      options.datasets.push_back(text);
+      continue;
+    }
+    const Predictions predictions{text.substr(0, text.find('=')), text.substr(text.find('=') + 1)};
+    const std::string& name = predictions.name;
+    require(!name.empty() && name != "." && name != ".." && !predictions.folder.empty(),
+            "--predictions: '" + text + "' is not NAME=DIR");
+    require(names.insert(name).second, "--predictions: there are two methods '" + name + "'");
+    options.predictions.push_back(predictions);
+  }
+}
+
+/// Writing the labels of an imported method over themselves would destroy the user's files.
+void keepPredictions(const EvalOptions& options) {
+  namespace fs = std::filesystem;
+  if (options.out.empty()) return;
+  for (const Predictions& predictions : options.predictions) {
+    std::error_code error;
+    const fs::path target = fs::path(options.out) / "labels" / predictions.name;
+    require(fs::weakly_canonical(target, error) != fs::weakly_canonical(predictions.folder, error),
+            "--predictions: " + predictions.folder + " would be overwritten; choose another NAME or --out");
+  }
+}
+
+void settle(const RawOptions& raw, EvalOptions& options) {
+  options.datasets = raw.datasets;
+  settleMethods(raw.methods, options);
+  settlePredictions(raw, options);
+  require(!options.datasets.empty(), "name at least one DATASET");
+  require(!options.methods.empty() || !options.predictions.empty(), "there is no method to score");
+  require(!options.overlays || !options.out.empty(), "--overlays needs --out");
+  require(!options.resume || !options.out.empty(), "--resume needs --out");
+  const std::optional<Shard> shard = parseShard(raw.shard);
+  require(shard.has_value(), "--shard: '" + raw.shard + "' is not I/N with I from 1 to N");
+  options.shard = *shard;
+  keepPredictions(options);
+  options.jobs = threadsFor(options.jobs);
+  if (options.noise.empty()) return;
+  const std::string why = noiseProblem(options.noise);
+  require(why.empty(), "--noise: " + why);
+}
+
+void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
+  raw.methods = joined(segmenterNames(), ",");
+  app.add_option("DATASET", raw.datasets, "FOLDER or FORMAT:FOLDER, FORMAT one of " + joined(formatNames()))
+      ->type_name("");
+  app.add_option("--methods", raw.methods, "Methods, or none (" + raw.methods + ")")->type_name("A,B,...");
+  app.add_option("--predictions", raw.predictions,
+                 "Label images DIR/NAME_labels.png of another program, scored as method NAME")
+      ->type_name("NAME=DIR ...");
+  app.add_option("--noise", options.noise,
+                 "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | auto (else the frame's own, else auto)")
+      ->type_name("NOISE");
+  app.add_option("--out", options.out, "Folder for the report, the results frame by frame, and labels/METHOD/")
+      ->type_name("DIR");
+  app.add_option("--jobs", options.jobs, "Frames at a time, 0 = one a core (1; more disturb the times)")
+      ->type_name("J")
+      ->check(CLI::Range(0, 1024));
+  app.add_option("--shard", raw.shard, "Only part I of N: every N-th frame from the I-th on; see epcc_eval merge")
+      ->type_name("I/N");
+  app.add_flag("--resume", options.resume, "Go on with the run in --out; what is done stays");
+  app.add_option("--seeds", options.seeds, "Runs of methods that draw at random, as NAME, NAME-seed1, ... (1)")
+      ->type_name("S")
+      ->check(CLI::Range(1, 1000));
+  app.add_flag("--overlays", options.overlays, "A picture of each frame: depth, truth, every method");
+  app.add_option("--pictures", options.pictures,
+                 "So many first, worst and best frames of each data set in report.html (2)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000));
+  app.add_flag("--strict", options.strict, "Exit code 3 if any frame could not be scored");
+}
+
+}  // namespace
+
+std::optional<int> parseEvalOptions(int argc, const char* const* argv, EvalOptions& options, std::ostream& out,
+                                    std::ostream& err) {
+  CLI::App app(kDescription, "epcc_eval");
+  app.footer(kFooter);
+  app.set_version_flag("--version", versionText("epcc_eval"));
+  RawOptions raw;
+  addOptions(app, options, raw);
+  return parseCommandLine(app, argc, argv, out, err, [&] { settle(raw, options); });
+}
+
+}  // namespace epcc

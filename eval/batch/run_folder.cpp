@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A lock, a comparison, and the removal of what a killed process left half written.
+#include "eval/batch/run_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+
+#include "datasets/support/atomic_file.h"
+#include "datasets/support/input_error.h"
+
+namespace epcc {
+
+namespace fs = std::filesystem;
+
+RunFolder::RunFolder(const std::string& out) : out_(out) {
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (!fs::is_directory(out))
+    throw OutputError(out, "folder", "cannot be made" + (error ? ", " + error.message() : std::string()));
+  lock_ = open((fs::path(out) / ".epcc-lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+  // File systems without locks are used without.
+  if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(lock_);
+  throw OutputError(out, "folder", "another epcc_eval is at work in it");
+}
+
+RunFolder::~RunFolder() {
+  if (lock_ >= 0) close(lock_);
+}
+
+std::string RunFolder::begin(const RunDescription& run, bool resume) {
+  std::error_code ignored;
+  const bool has_run = fs::exists(runDescriptionPath(out_), ignored);
+  const bool has_results = fs::exists(fs::path(out_) / "results", ignored);
+  if ((has_run || has_results) && !resume)
+    return out_ + " has results already; go on with --resume, or choose another --out";
+  if (!has_run && has_results) return out_ + " has results but no run.json that tells what they are";
+  if (has_run) {
+    const RunDescription before = readRunDescription(out_);
+    std::string difference = optionDifference(before, run);
+    if (difference.empty() && before.shard.text() != run.shard.text())
+      difference = "--shard was " + before.shard.text() + ", is " + run.shard.text();
+    if (difference.empty()) difference = datasetDifference(before, run);
+    if (difference.empty() && before.unusable != run.unusable) difference = "other data sets could not be used";
+    if (!difference.empty()) return "--resume: " + out_ + " holds another run: " + difference;
+    removeTemporaries(out_, false);
+    for (const char* folder : {"results", "labels", "overlays", "pictures"})
+      removeTemporaries((fs::path(out_) / folder).string(), true);
+  }
+  writeRunDescription(out_, run);
+  return "";
+}
+
+}  // namespace epcc

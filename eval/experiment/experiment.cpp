@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One frame through every method; a pool of threads; records sorted as they come.
+#include "eval/experiment/experiment.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "baselines/imported_labels_segmenter.h"
+#include "datasets/support/input_error.h"
+#include "eval/program/frame_sensor.h"
+
+namespace epcc {
+
+namespace {
+
+LabelledFrame readScorable(const FrameJob& job) {
+  LabelledFrame frame = job.source->read(job.index);
+  if (frame.labels.empty()) throw InputError(job.file_name, "labels", "there are none, the frame cannot be scored");
+  return frame;
+}
+
+void runMethod(const Method& method, PlaneSegmenter& segmenter, const SegmenterInput& input, const LabelledFrame& frame,
+               PlaneSegmentation& segmentation, FrameRecord& record) {
+  if (!segmenter.segment(input, segmentation)) {
+    record.error = printable(segmenter.error(), 1000);
+    return;
+  }
+  record.measures = measureFrame(frame, segmentation);
+  if (method.timed) record.ms = 1e3 * segmenter.seconds();
+}
+
+std::vector<std::unique_ptr<PlaneSegmenter>> makeAll(const std::vector<Method>& methods) {
+  std::vector<std::unique_ptr<PlaneSegmenter>> segmenters;
+  for (const Method& method : methods) segmenters.push_back(method.make());
+  return segmenters;
+}
+
+/// Hands records on in the order of the jobs, however they come.
+class InOrder {
+ public:
+  explicit InOrder(const FrameInOrder& next) : next_(next) {}
+  void add(std::size_t index, std::vector<FrameRecord> records) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_[index] = std::move(records);
+    for (auto first = waiting_.begin(); first != waiting_.end() && first->first == due_; ++due_) {
+      if (next_) next_(first->second);
+      first = waiting_.erase(first);
+    }
+  }
+
+ private:
+  const FrameInOrder& next_;
+  std::mutex mutex_;
+  std::map<std::size_t, std::vector<FrameRecord>> waiting_;
+  std::size_t due_ = 0;
+};
+
+}  // namespace
+
+Method registeredMethod(const std::string& name, const SegmenterOptions& options) {
+  if (!makeSegmenter(name, options)) throw std::invalid_argument("there is no method " + name);
+  return {name, [name, options] { return makeSegmenter(name, options); }, true};
+}
+
+Method importedMethod(const std::string& name, const std::string& folder) {
+  return {name, [name, folder] { return std::make_unique<ImportedLabelsSegmenter>(name, folder); }, false};
+}
+
+FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& methods,
+                          const std::vector<std::unique_ptr<PlaneSegmenter>>& segmenters,
+                          const ExperimentOptions& options) {
+  FrameResult result;
+  result.index = job.index;
+  result.file_name = job.file_name;
+  for (const Method& method : methods)
+    result.records.push_back({job.source->dataset(), job.source->name(job.index), method.name, {}, {}, {}});
+  try {
+    result.frame = readScorable(job);
+    result.segmentations.resize(methods.size());
+    const DepthFrame view = frameView(result.frame);
+    const SensorModel sensor =
+        frameSensor(options.noise, result.frame.camera.noise, view, result.frame.name + ".json").model;
+    for (std::size_t m = 0; m < methods.size(); ++m)
+      runMethod(methods[m], *segmenters[m], {view, sensor, job.file_name}, result.frame, result.segmentations[m],
+                result.records[m]);
+  } catch (const std::exception& error) {
+    result.reading_error = printable(error.what(), 1000);
+    result.frame = LabelledFrame();
+    result.segmentations.clear();
+    for (FrameRecord& record : result.records) {
+      record.measures = FrameMeasures();
+      record.ms.reset();
+      record.error = result.reading_error;
+    }
+  }
+  return result;
+}
+
+void runExperiment(const FrameJobs& jobs, const std::vector<Method>& methods, const ExperimentOptions& options,
+                   const FrameDone& done, const FrameInOrder& in_order) {
+  InOrder sorter(in_order);
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto work = [&] {
+    try {
+      const auto segmenters = makeAll(methods);
+      for (std::size_t i = next++; i < jobs.size(); i = next++) {
+        FrameResult result = evaluateFrame(jobs[i], methods, segmenters, options);
+        if (done) done(result);
+        sorter.add(i, std::move(result.records));
+      }
+    } catch (...) {
+      next = jobs.size();
+      const std::lock_guard<std::mutex> lock(failure_mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  std::vector<std::thread> helpers;
+  const std::size_t threads = std::min<std::size_t>(std::max(options.jobs, 1), jobs.size());
+  for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back(work);
+  work();
+  for (std::thread& helper : helpers) helper.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace epcc

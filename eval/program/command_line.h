@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the command lines of all programs have in common.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace epcc {
+
+/// Exit codes of the programs.
+enum ExitCode {
+  kExitDone = 0,
+  kExitUsage = 2,   ///< the command line cannot be understood
+  kExitInput = 3,   ///< an input could not be used
+  kExitOutput = 4,  ///< an output could not be written
+};
+
+/// Reads the command line of the program that `app` is named after ("epcc_eval merge" complains as "epcc_eval: merge"),
+/// then calls `settle`. Returns an exit code if the program is done: help, version, or an error, which is told on `err`
+/// in one line.
+std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv, std::ostream& out,
+                                    std::ostream& err, const std::function<void()>& settle = {});
+
+/// For `settle`: ends it with a problem unless `condition` holds.
+void require(bool condition, const std::string& problem);
+
+/// Runs the program and returns its exit code. What it throws is told on `err` in one line, as is an `out` that cannot
+/// be written.
+int runProgram(const std::string& program, std::ostream& out, std::ostream& err, const std::function<int()>& run);
+
+/// "0.1.0", and the line that --version prints: "epcc_segment 0.1.0".
+std::string projectVersion();
+std::string versionText(const std::string& program);
+
+/// --jobs as typed; 0 is one a core.
+int threadsFor(int jobs);
+
+}  // namespace epcc

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Chosen, told by the frame, or measured on it.
+#include "eval/program/frame_sensor.h"
+
+#include "datasets/support/input_error.h"
+#include "epcc_segmentation/sensor_estimation.h"
+
+namespace epcc {
+
+namespace {
+const char kAuto[] = "auto";
+}
+
+std::string noiseProblem(const std::string& text) {
+  if (text == kAuto) return {};
+  std::string why;
+  return SensorModel::parse(text, &why) ? std::string() : why + ", nor auto";
+}
+
+FrameSensor frameSensor(const std::string& chosen, const std::optional<std::string>& of_frame, const DepthFrame& frame,
+                        const std::string& camera_file) {
+  const std::string& text = !chosen.empty() ? chosen : of_frame.value_or(kAuto);
+  if (text == kAuto) {
+    const SensorModel model = estimateSensor(frame).model();
+    return {model, "auto (" + model.description() + ")"};
+  }
+  std::string why;
+  const std::optional<SensorModel> model = SensorModel::parse(text, &why);
+  if (!model) throw InputError(camera_file, "noise", why);
+  return {*model, text};
+}
+
+}  // namespace epcc

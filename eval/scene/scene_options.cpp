@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, checks and help texts of the options of epcc_scene.
+#include "eval/scene/scene_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <ostream>
+
+#include "datasets/files/image.h"
+#include "datasets/support/input_error.h"
+#include "eval/program/command_line.h"
+
+namespace epcc {
+namespace {
+
+constexpr const char* kDescription =
+    "Renders labelled frames of rooms made of planes, with exact labels and plane coefficients.\n"
+    "SCENE: a near desk (5 planes), b boxes on a desk (11), c larger room (9), d corridor (9), or all.";
+constexpr const char* kFooter =
+    "Exit codes: 0 done, 2 wrong usage, 3 an input could not be used, 4 an output could not be written.";
+constexpr std::uint64_t kMostFrames = 100000;
+
+// The options as typed.
+struct RawOptions {
+  std::string scene, seed, seeds, count;
+  std::string noise = "none";
+  std::optional<int> width, height;
+  std::optional<double> fx, fy, cx, cy;
+};
+
+bool readNumber(const std::string& text, std::uint64_t& value) {
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+std::string badNumber(const std::string& option, const std::string& text) {
+  return option + ": '" + text + "' is not a whole number from 0 to 2^64 - 1";
+}
+
+// Empty, or what is wrong.
+std::string settleSeeds(const RawOptions& raw, SceneCommandOptions& options) {
+  if (!raw.seeds.empty()) {
+    const std::size_t colon = raw.seeds.find(':');
+    const bool fine = colon != std::string::npos && readNumber(raw.seeds.substr(0, colon), options.first_seed) &&
+                      readNumber(raw.seeds.substr(colon + 1), options.last_seed);
+    if (!fine) return "--seeds: '" + raw.seeds + "' is not FIRST:LAST with two whole numbers";
+    if (options.last_seed < options.first_seed) return "--seeds: the last seed is smaller than the first";
+  } else {
+    if (!raw.seed.empty() && !readNumber(raw.seed, options.first_seed)) return badNumber("--seed", raw.seed);
+    std::uint64_t count = 1;
+    if (!raw.count.empty() && !readNumber(raw.count, count)) return badNumber("--count", raw.count);
+    if (count == 0) return "--count: at least 1 frame";
+    if (count - 1 > std::numeric_limits<std::uint64_t>::max() - options.first_seed)
+      return "--count: the last seed is larger than 2^64 - 1";
+    options.last_seed = options.first_seed + (count - 1);
+  }
+  if (options.last_seed - options.first_seed >= kMostFrames)
+    return "more than " + std::to_string(kMostFrames) + " seeds";
+  return {};
+}
+
+std::string settleCamera(const RawOptions& raw, SceneCommandOptions& options) {
+  PinholeCamera camera = sceneCamera();
+  const int width = raw.width.value_or(camera.width), height = raw.height.value_or(camera.height);
+  if (width < 1 || height < 1 || width > kLargestImageSide || height > kLargestImageSide ||
+      static_cast<long>(width) * height > kMostPixels)
+    return "--width, --height: the image must have 1 to 16384 pixels a side and at most 64 million";
+  camera = sceneCamera(width, height);
+  camera.fx = raw.fx.value_or(camera.fx);
+  camera.fy = raw.fy.value_or(camera.fx);
+  camera.cx = raw.cx.value_or(camera.cx);
+  camera.cy = raw.cy.value_or(camera.cy);
+  options.scene.camera = camera;
+  const std::string problem = camera.validate();
+  return problem.empty() ? problem : "camera: " + problem;
+}
+
+std::string settleScenes(const RawOptions& raw, SceneCommandOptions& options) {
+  if (raw.scene.empty()) return "SCENE is required: a, b, c, d or all";
+  const std::vector<std::string> names = sceneNames();
+  if (raw.scene == "all")
+    options.scenes = names;
+  else if (std::find(names.begin(), names.end(), raw.scene) != names.end())
+    options.scenes = {raw.scene};
+  else
+    return "unknown scene '" + raw.scene + "'; use a, b, c, d or all";
+  return options.out.empty() ? "--out is required" : "";
+}
+
+std::string settle(const RawOptions& raw, SceneCommandOptions& options) {
+  std::string problem = settleSeeds(raw, options);
+  if (!problem.empty()) return problem;
+  std::string why;
+  const auto noise = parseNoise(raw.noise, &why);
+  if (!noise) return "--noise: " + why;
+  options.noise = *noise;
+  problem = settleCamera(raw, options);
+  if (!problem.empty()) return problem;
+  if (!options.measure.empty())
+    return raw.scene.empty() ? "" : "--measure-noise takes the place of SCENE, give one of them";
+  return settleScenes(raw, options);
+}
+
+void addOptions(CLI::App& app, RawOptions& raw, SceneCommandOptions& options) {
+  app.add_option("SCENE", raw.scene, "a, b, c, d or all");
+  app.add_option("--out", options.out, "folder that receives SCENE_SEED_depth.png, _labels.png and .json");
+  auto* seed = app.add_option("--seed", raw.seed, "arrangement, camera pose and noise (default 0)");
+  auto* count = app.add_option("--count", raw.count, "number of seeds from --seed on (default 1)");
+  app.add_option("--seeds", raw.seeds, "FIRST:LAST, both included")->excludes(seed)->excludes(count);
+  app.add_option("--noise", raw.noise,
+                 "none (default) | white:SENSOR | stereo | stereo-registered; SENSOR is a preset, A,B,L or "
+                 "poly:K1,K2,K3; stereo-registered is depth warped to a finer colour grid");
+  app.add_option("--width", raw.width, "pixels (default 480)");
+  app.add_option("--height", raw.height, "pixels (default 270)");
+  app.add_option("--fx", raw.fx, "focal length, pixels (default: half the width)");
+  app.add_option("--fy", raw.fy, "focal length, pixels (default: fx)");
+  app.add_option("--cx", raw.cx, "principal point, pixels (default: the image's centre)");
+  app.add_option("--cy", raw.cy, "principal point, pixels");
+  app.add_option("--measure-noise", options.measure,
+                 "folder of real labelled frames: print size and autocorrelation of their noise and of the stereo "
+                 "noise on the same planes")
+      ->type_name("DIR");
+}
+
+}  // namespace
+
+std::optional<int> parseSceneOptions(int argc, const char* const* argv, SceneCommandOptions& options, std::ostream& out,
+                                     std::ostream& err) {
+  CLI::App app(kDescription, "epcc_scene");
+  app.footer(kFooter);
+  app.set_version_flag("--version", versionText("epcc_scene"));
+  app.set_help_flag("-h,--help", "print this help and exit");
+  RawOptions raw;
+  addOptions(app, raw, options);
+  return parseCommandLine(app, argc, argv, out, err, [&] {
+    const std::string problem = settle(raw, options);
+    require(problem.empty(), problem);
+  });
+}
+
+}  // namespace epcc

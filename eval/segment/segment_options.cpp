@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, checks and help texts of the options of epcc_segment.
+#include "eval/segment/segment_options.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <ostream>
+
+#include "datasets/support/input_error.h"
+#include "eval/program/command_line.h"
+#include "eval/program/frame_sensor.h"
+
+namespace epcc {
+namespace {
+
+constexpr const char* kDescription =
+    "Segments organized point clouds and depth images into planes.\n"
+    "INPUT is an organized .pcd, a 16-bit depth .png or a folder of labelled frames. The camera of X_depth.png is\n"
+    "read from X.json beside it unless given.";
+
+constexpr const char* kFooter =
+    "Exit codes: 0 done, 2 wrong usage, 3 an input could not be used, 4 an output could not be written.";
+
+// The options as typed, before they are checked against each other.
+struct RawOptions {
+  std::optional<double> fx, fy, cx, cy, depth_scale;
+  std::string mode = "default";
+  std::string scan;  // empty: the mode's own
+  std::optional<double> line_k_max, plane_k_max, max_gap;
+  std::optional<int> min_points;
+  std::string criterion;
+};
+
+// Help without CLI11's lists of what an option needs and excludes: they are longer than the help itself.
+class PlainFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_name().empty() ? std::string() : " " + option->get_type_name();
+  }
+};
+
+std::string checkFinite(const std::string& text) {
+  double value = 0.0;
+  if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is not a number";
+  return std::isfinite(value) ? std::string() : "'" + text + "' is not a finite number";
+}
+
+std::string checkPositive(const std::string& text) {
+  const std::string problem = checkFinite(text);
+  if (!problem.empty()) return problem;
+  double value = 0.0;
+  CLI::detail::lexical_cast(text, value);
+  return value > 0.0 ? std::string() : "'" + text + "' is not positive";
+}
+
+std::string checkNoise(const std::string& text) {
+  return noiseProblem(text);
+}
+
+std::string checkMode(const std::string& text) {
+  const bool known = text == "default" || text == "paper";
+  return known ? std::string() : "unknown mode '" + text + "'; use 'default' or 'paper'";
+}
+
+std::string checkScan(const std::string& text) {
+  const bool known = text == "columns" || text == "rows" || text == "both";
+  return known ? std::string() : "'" + text + "' is none of 'columns', 'rows', 'both'";
+}
+
+std::string checkCriterion(const std::string& text) {
+  const bool known = text.size() == 1 && text[0] >= 'a' && text[0] <= 'd';
+  return known ? std::string() : "'" + text + "' is none of 'a', 'b', 'c', 'd'";
+}
+
+std::string checkPath(const std::string& text) {
+  return text.empty() ? "the name is empty" : std::string();
+}
+
+void addCameraOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
+  CLI::Option* file = app.add_option("--camera", options.camera_file, "Camera of the depth images")
+                          ->type_name("NAME.json")
+                          ->check(checkPath)
+                          ->group("Camera");
+  const auto number = [&](const char* name, std::optional<double>& value, const char* text, auto check) {
+    return app.add_option(name, value, text)->type_name("F")->check(check)->group("Camera")->excludes(file);
+  };
+  CLI::Option* fx = number("--fx", raw.fx, "Focal length along a row, pixels", checkPositive);
+  CLI::Option* fy = number("--fy", raw.fy, "Focal length along a column, pixels", checkPositive);
+  CLI::Option* cx = number("--cx", raw.cx, "Column of the principal point, pixels", checkFinite);
+  CLI::Option* cy = number("--cy", raw.cy, "Row of the principal point, pixels", checkFinite);
+  CLI::Option* scale = number("--depth-scale", raw.depth_scale, "Metres per depth unit (0.001)", checkPositive);
+  for (CLI::Option* option : {fx, fy, cx, cy, scale}) {
+    for (CLI::Option* other : {fx, fy, cx, cy}) {
+      if (option != other) option->needs(other);
+    }
+  }
+}
+
+void addMethodOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
+  Parameters& p = options.parameters;
+  const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
+    return app.add_option(name, value, text)->type_name(type)->group("Method");
+  };
+  add("--mode", raw.mode, "MODE", "default | paper (default)")->check(checkMode);
+  add("--noise", options.noise, "NOISE",
+      "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | auto (else the frame's own, else auto)")
+      ->check(checkNoise);
+  add("--scan", raw.scan, "WHICH", "Scan lines: columns | rows | both (both; paper: columns)")->check(checkScan);
+  add("--line-k-max", raw.line_k_max, "K", "Gate of a line, in sigma (1.5; paper, Eq. 20: 2)")->check(checkFinite);
+  add("--plane-k-max", raw.plane_k_max, "K", "Gate of a plane, in sigma (2; paper, Eq. 23: 3)")->check(checkFinite);
+  add("--max-gap", raw.max_gap, "D1", "Paper: gap within a plane beyond the noise, metres (0.15)")->check(checkFinite);
+  add("--min-points", raw.min_points, "N", "Planes with fewer pixels are dropped (60; paper: 0)");
+  add("--criterion", raw.criterion, "a|b|c|d", "Paper: form of the criterion, Table 2 (a)")->check(checkCriterion);
+  add("--threads", p.threads, "N", "Threads; the result does not depend on them (1)");
+}
+
+void addOutputOptions(CLI::App& app, SegmentOptions& options) {
+  const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
+    return app.add_option(name, value, text)->type_name(type)->check(checkPath)->group("Output");
+  };
+  CLI::Option* out = add("--out", options.out, "DIR",
+                         "Folder for NAME_labels.png, NAME_planes.json, NAME_overlay.png "
+                         "and NAME_cloud.pcd of every input");
+  add("--labels", options.labels, "OUT.png", "16-bit label image: 0 none, planes from 1")->excludes(out);
+  add("--planes", options.planes, "OUT.json", "List of the planes")->excludes(out);
+  add("--overlay", options.overlay, "OUT.png", "Picture of the labels on the depth")->excludes(out);
+  add("--cloud", options.cloud, "OUT.pcd", "Labelled organized cloud")->excludes(out);
+  app.add_flag("--timing", options.timing, "Print the time of each stage")->group("Output");
+}
+
+// The method's options, each in its mode. Empty if all is well, else what is wrong.
+std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
+  const bool paper = raw.mode == "paper";
+  const int threads = parameters.threads;
+  parameters = paper ? Parameters::paper() : Parameters();
+  parameters.threads = threads;
+  if (!paper && raw.max_gap) return "--max-gap belongs to the paper mode";
+  if (!paper && !raw.criterion.empty()) return "--criterion belongs to the paper mode";
+  if (raw.scan == "columns") parameters.scan = ScanDirection::Columns;
+  if (raw.scan == "rows") parameters.scan = ScanDirection::Rows;
+  if (raw.scan == "both") parameters.scan = ScanDirection::Both;
+  if (raw.line_k_max) (paper ? parameters.line.k_max : parameters.line_growing.k_max) = *raw.line_k_max;
+  if (raw.plane_k_max) (paper ? parameters.plane.k_max : parameters.plane_growing.k_max) = *raw.plane_k_max;
+  if (raw.max_gap) parameters.plane.max_gap = *raw.max_gap;
+  if (raw.min_points) (paper ? parameters.plane.min_points : parameters.evidence.min_points) = *raw.min_points;
+  if (!raw.criterion.empty()) parameters.plane.criterion = static_cast<PlaneCriterion>(raw.criterion[0] - 'a');
+  return parameters.validate();
+}
+
+// Empty if all is well, else what is wrong.
+std::string settle(const RawOptions& raw, SegmentOptions& options) {
+  if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
+  const std::string problem = settleMethod(raw, options.parameters);
+  if (!problem.empty()) return problem;
+  if (options.inputs.size() > 1 && options.namesOutputs()) {
+    return "--labels, --planes, --overlay and --cloud take a single input; use --out DIR for several";
+  }
+  return std::string();
+}
+
+}  // namespace
+
+std::optional<int> parseSegmentOptions(int argc, const char* const* argv, SegmentOptions& options, std::ostream& out,
+                                       std::ostream& err) {
+  static_assert(static_cast<int>(PlaneCriterion::Prototype) == 3, "criteria a to d in order");
+  CLI::App app(kDescription, "epcc_segment");
+  app.formatter(std::make_shared<PlainFormatter>());
+  app.footer(kFooter);
+  app.set_version_flag("--version", versionText("epcc_segment"));
+  RawOptions raw;
+  app.add_option("INPUT", options.inputs, "Files and folders to segment")->type_name("")->required()->check(checkPath);
+  addCameraOptions(app, options, raw);
+  addMethodOptions(app, options, raw);
+  addOutputOptions(app, options);
+  return parseCommandLine(app, argc, argv, out, err, [&] {
+    const std::string problem = settle(raw, options);
+    require(problem.empty(), problem);
+  });
+}
+
+}  // namespace epcc

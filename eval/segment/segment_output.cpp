@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, checks and writes the output files of epcc_segment.
+#include "eval/segment/segment_output.h"
+
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include "datasets/files/organized_pcd.h"
+#include "datasets/files/plane_list.h"
+#include "datasets/files/png_io.h"
+#include "datasets/support/input_error.h"
+#include "eval/pictures/overlay.h"
+
+namespace epcc {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The same file has the same name, whether it exists or not.
+std::string canonical(const std::string& path) {
+  std::error_code error;
+  const fs::path full = fs::weakly_canonical(fs::absolute(path), error);
+  return error ? path : full.string();
+}
+
+// Files that must survive: the input, its camera, and the ground truth beside a depth image.
+std::set<std::string> filesOf(const SegmentInput& input) {
+  std::set<std::string> files{canonical(input.path)};
+  if (!input.camera_file.empty()) files.insert(canonical(input.camera_file));
+  return files;
+}
+
+std::string truthOf(const SegmentInput& input) {
+  return canonical((fs::path(input.path).parent_path() / (input.name + "_labels.png")).string());
+}
+
+LabelImage labelImage(const PlaneSegmentation& result, const std::string& path) {
+  if (result.planes.size() >= kIgnoreLabel)
+    throw OutputError(path, "labels", "more planes than a 16-bit image can hold");
+  LabelImage image;
+  image.width = result.width;
+  image.height = result.height;
+  image.data.assign(result.labels.begin(), result.labels.end());
+  return image;
+}
+
+std::vector<float> pointsOf(const LoadedFrame& loaded) {
+  if (!loaded.xyz.empty()) return loaded.xyz;
+  const DepthFrame frame = loaded.frame();
+  std::vector<float> xyz(3 * loaded.depth.data.size(), std::numeric_limits<float>::quiet_NaN());
+  Eigen::Vector3d point;
+  for (int row = 0; row < frame.height(); ++row) {
+    for (int column = 0; column < frame.width(); ++column) {
+      if (!frame.point(row, column, point)) continue;
+      const std::size_t i = 3 * frame.index(row, column);
+      for (int k = 0; k < 3; ++k) xyz[i + static_cast<std::size_t>(k)] = static_cast<float>(point(k));
+    }
+  }
+  return xyz;
+}
+
+// A finished file takes its name by renaming, which would replace a device such as /dev/null by a file.
+void refuseSpecialFiles(const OutputPaths& paths) {
+  for (const std::string& path : paths.all()) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) throw OutputError(path, "file", "is not a regular file");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> OutputPaths::all() const {
+  std::vector<std::string> paths;
+  for (const std::string* path : {&labels, &planes, &overlay, &cloud}) {
+    if (!path->empty()) paths.push_back(*path);
+  }
+  return paths;
+}
+
+OutputPaths outputPaths(const SegmentOptions& options, const SegmentInput& input) {
+  if (options.out.empty()) return {options.labels, options.planes, options.overlay, options.cloud};
+  const auto in_folder = [&](const char* suffix) { return (fs::path(options.out) / (input.name + suffix)).string(); };
+  return {in_folder("_labels.png"), in_folder("_planes.json"), in_folder("_overlay.png"), in_folder("_cloud.pcd")};
+}
+
+std::string checkOutputs(const SegmentOptions& options, const std::vector<SegmentInput>& inputs) {
+  std::set<std::string> protected_files;
+  for (const SegmentInput& input : inputs) protected_files.merge(filesOf(input));
+  std::set<std::string> written;
+  for (const SegmentInput& input : inputs) {
+    if (!input.problem.empty() && !options.out.empty()) continue;
+    if (!options.out.empty()) protected_files.insert(truthOf(input));
+    for (const std::string& path : outputPaths(options, input).all()) {
+      if (protected_files.count(canonical(path)) != 0) return path + " would overwrite an input or its ground truth";
+      if (!written.insert(canonical(path)).second) return path + " would be written twice";
+    }
+  }
+  return std::string();
+}
+
+void writeOutputs(const OutputPaths& paths, const LoadedFrame& loaded, const PlaneSegmentation& result) {
+  refuseSpecialFiles(paths);
+  if (!paths.labels.empty()) writeGray16(paths.labels, labelImage(result, paths.labels));
+  if (!paths.planes.empty()) writePlaneList(paths.planes, result, loaded.projection);
+  if (!paths.overlay.empty()) writeRgb(paths.overlay, drawOverlay(loaded.depth, result.labels));
+  if (!paths.cloud.empty())
+    writeLabelledPcd(paths.cloud, loaded.width, loaded.height, pointsOf(loaded),
+                     {result.labels.begin(), result.labels.end()});
+}
+
+}  // namespace epcc

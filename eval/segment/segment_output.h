@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files epcc_segment writes for one input.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "epcc_segmentation/plane_segmentation.h"
+#include "eval/segment/segment_input.h"
+#include "eval/segment/segment_options.h"
+
+namespace epcc {
+
+/// Paths to write for one input; empty ones are not wanted.
+struct OutputPaths {
+  std::string labels;
+  std::string planes;
+  std::string overlay;
+  std::string cloud;
+
+  std::vector<std::string> all() const;
+};
+
+/// The paths named by the options, or those in the --out folder.
+OutputPaths outputPaths(const SegmentOptions& options, const SegmentInput& input);
+
+/// Empty if the outputs endanger neither each other nor any input, else what is wrong in words.
+std::string checkOutputs(const SegmentOptions& options, const std::vector<SegmentInput>& inputs);
+
+/// Writes them, each under its final name only once it is complete. Throws OutputError.
+void writeOutputs(const OutputPaths& paths, const LoadedFrame& loaded, const PlaneSegmentation& result);
+
+}  // namespace epcc

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The default mode as a whole: rooms with white and with blotchy error, laws, scans.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "epcc_segmentation/plane_extractor.h"
+#include "tests/support/rendered_room.h"
+
+namespace {
+
+using epcc::DepthFrame;
+using epcc::Parameters;
+using epcc::PlaneExtractor;
+using epcc::PlaneSegmentation;
+using epcc::ScanDirection;
+using epcc::SensorModel;
+using epcc::test::RenderedRoom;
+
+const SensorModel kWhite = SensorModel::axial(0.003, 0.001, 1.0);
+
+RenderedRoom noisyRoom(unsigned seed = 1, int width = 320, int height = 240) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
+  epcc::test::addNoise(room, kWhite, seed);
+  return room;
+}
+
+PlaneSegmentation extract(const DepthFrame& frame, const Parameters& parameters = {},
+                          const SensorModel& sensor = kWhite) {
+  PlaneExtractor extractor(parameters, sensor);
+  PlaneSegmentation result;
+  EXPECT_TRUE(extractor.extract(frame, result)) << extractor.error();
+  return result;
+}
+
+double agreement(const RenderedRoom& room, const PlaneSegmentation& result) {
+  std::map<std::pair<std::int32_t, std::int32_t>, long> counts;
+  for (std::size_t i = 0; i < room.labels.size(); ++i) ++counts[{room.labels[i], result.labels[i]}];
+  std::map<std::int32_t, long> best;
+  for (const auto& [pair, count] : counts)
+    if (pair.second > 0) best[pair.first] = std::max(best[pair.first], count);
+  long agree = 0;
+  for (const auto& [surface, count] : best) agree += count;
+  return static_cast<double>(agree) / static_cast<double>(room.labels.size());
+}
+
+TEST(DefaultMode, IsTheDefault) {
+  EXPECT_EQ(Parameters().mode, epcc::Mode::Default);
+  EXPECT_EQ(Parameters().scan, ScanDirection::Both);
+  EXPECT_EQ(Parameters::paper().mode, epcc::Mode::Paper);
+  EXPECT_EQ(Parameters::paper().scan, ScanDirection::Columns);
+}
+
+TEST(DefaultMode, ANoisyRoomIsExactlyItsThreePlanesInEveryScan) {
+  for (const ScanDirection scan : {ScanDirection::Both, ScanDirection::Columns, ScanDirection::Rows})
+    for (unsigned seed = 0; seed < 5; ++seed) {
+      const auto room = noisyRoom(seed);
+      Parameters parameters;
+      parameters.scan = scan;
+      const auto result = extract(room.frame(), parameters);
+      EXPECT_EQ(result.planes.size(), 3u) << "seed " << seed;
+      EXPECT_GT(agreement(room, result), 0.97) << "seed " << seed;
+    }
+}
+
+TEST(DefaultMode, TransposingTheImageTransposesTheLabels) {
+  const auto room = noisyRoom();
+  const auto& camera = room.camera;
+  RenderedRoom transposed;
+  transposed.camera = {camera.height, camera.width, camera.fy, camera.fx, camera.cy, camera.cx};
+  for (int column = 0; column < camera.width; ++column)
+    for (int row = 0; row < camera.height; ++row)
+      transposed.depth.push_back(room.depth[static_cast<std::size_t>(row * camera.width + column)]);
+  const auto a = extract(room.frame());
+  const auto b = extract(transposed.frame());
+  ASSERT_EQ(a.planes.size(), b.planes.size());
+  long differ = 0;
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column)
+      differ += a.labels[static_cast<std::size_t>(row * camera.width + column)] !=
+                        b.labels[static_cast<std::size_t>(column * camera.height + row)]
+                    ? 1
+                    : 0;
+  EXPECT_LT(differ, camera.width * camera.height / 200);  // ties between directions go to the columns
+}
+
+TEST(DefaultMode, ATransposedViewIsLabelledInTheCallersOrder) {
+  const auto room = noisyRoom();
+  const auto turned = extract(room.frame().transposed());
+  ASSERT_EQ(turned.planes.size(), 3u);
+  EXPECT_GT(agreement(room, turned), 0.97);
+}
+
+TEST(DefaultMode, RepeatedCallsAndFreshObjectsGiveTheSameBits) {
+  const auto room = noisyRoom(1);
+  const auto other = noisyRoom(2, 90, 70);
+  PlaneExtractor extractor(Parameters(), kWhite);
+  PlaneSegmentation first, second;
+  ASSERT_TRUE(extractor.extract(room.frame(), first));
+  ASSERT_TRUE(extractor.extract(other.frame(), second));
+  ASSERT_TRUE(extractor.extract(room.frame(), second));
+  EXPECT_EQ(first.labels, second.labels);
+  EXPECT_EQ(first.labels, extract(room.frame()).labels);
+}
+
+TEST(DefaultMode, TheNumberOfThreadsChangesNothing) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  epcc::test::addNoise(room, SensorModel::axial(0.002, 0.0, 1.0), 4);
+  for (const int threads : {2, 3, 200})
+    for (const auto scan : {epcc::ScanDirection::Both, epcc::ScanDirection::Columns, epcc::ScanDirection::Rows}) {
+      Parameters parameters;
+      parameters.scan = scan;
+      const auto expected = extract(room.frame(), parameters);
+      parameters.threads = threads;
+      EXPECT_EQ(extract(room.frame(), parameters).labels, expected.labels) << threads;
+    }
+}
+
+TEST(DefaultMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksThem) {
+  // Error correlated over eight pixels: white noise on a coarse grid, interpolated. Both models are larger than a pixel
+  // is wide there, 4 mm: below that one model would be like the other.
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(320, 240));
+  const int cell = 8;
+  std::mt19937 generator(9);
+  std::normal_distribution<double> normal(0.0, 0.015);
+  std::vector<double> grid(static_cast<std::size_t>(42 * 32));
+  for (auto& value : grid) value = normal(generator);
+  for (int row = 0; row < 240; ++row)
+    for (int column = 0; column < 320; ++column) {
+      const int r = row / cell, c = column / cell;
+      const double y = (row % cell) / 8.0, x = (column % cell) / 8.0;
+      const auto at = [&](int i, int j) { return grid[static_cast<std::size_t>(i * 42 + j)]; };
+      float& z = room.depth[static_cast<std::size_t>(row * 320 + column)];
+      z += static_cast<float>((1 - y) * ((1 - x) * at(r, c) + x * at(r, c + 1)) +
+                              y * ((1 - x) * at(r + 1, c) + x * at(r + 1, c + 1)));
+    }
+  const auto blotchy = extract(room.frame(), {}, SensorModel::axial(0.015, 0.0, 5.0));
+  const auto white = extract(room.frame(), {}, SensorModel::axial(0.005, 0.0, 1.0));
+  EXPECT_EQ(blotchy.planes.size(), 3u);
+  EXPECT_GT(agreement(room, blotchy), 0.95);
+  EXPECT_GT(white.planes.size(), 6u);
+}
+
+TEST(DefaultMode, SphericalScansTakeTheirColumns) {
+  std::vector<float> xyz;
+  for (int row = 0; row < 120; ++row)
+    for (int column = 0; column < 200; ++column) {
+      const double azimuth = (100 - column) * 0.4 * M_PI / 180.0;
+      const double elevation = (60 - row) * 0.5 * M_PI / 180.0;
+      const Eigen::Vector3d ray(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                                std::sin(elevation));
+      double nearest = 1e9;
+      for (const auto& plane : epcc::test::cornerPlanes()) {
+        const double range = -plane(3) / Eigen::Vector3d(plane(2), -plane(0), -plane(1)).dot(ray);
+        if (range > 0.0 && range < nearest) nearest = range;
+      }
+      for (int k = 0; k < 3; ++k) xyz.push_back(nearest < 50.0 ? static_cast<float>(nearest * ray(k)) : 0.0f);
+    }
+  const auto frame = DepthFrame::fromPoints(xyz.data(), 3, 200, 120, epcc::Projection::Spherical);
+  const auto result = extract(frame);
+  ASSERT_EQ(result.planes.size(), 3u);
+  for (const auto& plane : result.planes) EXPECT_LT(plane.rms, 0.01);
+  Parameters rows;
+  rows.scan = ScanDirection::Rows;
+  PlaneExtractor by_rows(rows, kWhite);
+  PlaneSegmentation none;
+  EXPECT_FALSE(by_rows.extract(frame, none));
+}
+
+TEST(DefaultMode, BackwardCloudsAreSeenAsTheyAre) {
+  const auto room = noisyRoom();
+  std::vector<float> xyz;
+  Eigen::Vector3d p;
+  for (int row = 0; row < room.camera.height; ++row)
+    for (int column = 0; column < room.camera.width; ++column) {
+      ASSERT_TRUE(room.frame().point(row, column, p));
+      for (const double value : {p.x(), -p.y(), -p.z()}) xyz.push_back(static_cast<float>(value));
+    }
+  const auto projection = epcc::detectProjection(xyz.data(), 3, room.camera.width, room.camera.height);
+  ASSERT_EQ(projection, epcc::Projection::PerspectiveBackward);
+  const auto result = extract(DepthFrame::fromPoints(xyz.data(), 3, room.camera.width, room.camera.height, projection));
+  const auto forward = extract(room.frame());
+  ASSERT_EQ(result.planes.size(), 3u);
+  EXPECT_GT(agreement(room, result), 0.97);
+  EXPECT_GT(result.planes[0].coefficients(3), 0.0);
+  EXPECT_NEAR(result.planes[0].coefficients(2), -forward.planes[0].coefficients(2), 0.01);
+}
+
+TEST(DefaultMode, DegenerateFramesHaveNoPlanes) {
+  const std::vector<float> nothing(32 * 24, 0.0f);
+  EXPECT_TRUE(extract(DepthFrame::fromDepth(nothing.data(), epcc::test::testCamera(32, 24))).planes.empty());
+  const std::vector<float> depth(500, 2.0f);
+  EXPECT_TRUE(extract(DepthFrame::fromDepth(depth.data(), {500, 1, 400.0, 400.0, 250.0, 0.0})).planes.empty());
+  EXPECT_TRUE(extract(DepthFrame::fromDepth(depth.data(), {1, 500, 400.0, 400.0, 0.0, 250.0})).planes.empty());
+}
+
+TEST(DefaultMode, HugeAndTinyDepthsStayFinite) {
+  auto room = noisyRoom();
+  for (std::size_t i = 0; i < room.depth.size(); i += 7) room.depth[i] = i % 2 == 0 ? 3e38f : 1e-38f;
+  for (const auto& plane : extract(room.frame()).planes) EXPECT_TRUE(plane.coefficients.allFinite());
+}
+
+}  // namespace

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The steps S1, S2 and S5 of the default mode and the moments, one by one.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "inverse_depth/boundary_refinement.h"
+#include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/line_growing.h"
+#include "inverse_depth/plane_growing.h"
+#include "tests/epcc_segmentation/inverse_depth/region_fixture.h"
+
+namespace {
+
+using epcc::GrownLine;
+using epcc::InverseDepthImage;
+using epcc::LineSums;
+using epcc::PlaneMoments;
+using epcc::SensorModel;
+
+using epcc::test::imageOf;
+using epcc::test::kWhite;
+using epcc::test::regionsOf;
+
+/// q of the plane (a, b, c, d): w = q . (u, v, 1).
+Eigen::Vector3d inverseDepthPlane(const Eigen::Vector4d& plane) {
+  return -plane.head<3>() / plane(3);
+}
+
+// ---- image ----
+
+TEST(InverseDepthImage, HoldsTheInverseDepthsTheRaysAndTheTranspose) {
+  const auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(40, 30));
+  const auto image = imageOf(room);
+  for (int row = 0; row < 30; ++row)
+    for (int column = 0; column < 40; ++column) {
+      const std::size_t pixel = static_cast<std::size_t>(row) * 40 + column;
+      const Eigen::Vector3d expected((column - room.camera.cx) / room.camera.fx,
+                                     (row - room.camera.cy) / room.camera.fy, 1.0);
+      ASSERT_LT((image.ray(row, column) - expected).norm(), 1e-12);
+      ASSERT_FLOAT_EQ(image.w[pixel], 1.0f / room.depth[pixel]);
+      ASSERT_EQ(image.w[pixel], image.w_transposed[static_cast<std::size_t>(column) * 30 + row]);
+      const double q_w = inverseDepthPlane(epcc::test::cornerPlanes()[room.labels[pixel] - 1]).dot(expected);
+      ASSERT_NEAR(image.w[pixel], q_w, 1e-6);
+    }
+}
+
+TEST(InverseDepthImage, NoiseIsSigmaZOverZSquared) {
+  for (const auto& sensor : {SensorModel::axial(0.003, 0.002), SensorModel()}) {
+    const auto noise = epcc::InverseDepthNoise::of(sensor);
+    for (const double z : {0.4, 1.0, 3.0, 8.0})
+      EXPECT_NEAR(std::sqrt(noise.variance(1.0 / z)), sensor.sigmaInverseDepth(z), 1e-12);
+  }
+}
+
+// A pixel is 0.005 wide and 0.01 high in ray coordinates: on a surface inclined by 45 degrees, seen at z = 3 m, the
+// variance of the place is that of (3 m * 0.005)^2 / 12 and (3 m * 0.01)^2 / 12 in depth, on the mean.
+TEST(InverseDepthImage, NoDepthIsBetterThanThePlaceInThePixel) {
+  const epcc::PinholeCamera camera{40, 30, 200.0, 100.0, 19.5, 14.5};
+  const std::vector<float> depth(40 * 30, 3.0f);
+  const double place2 = 9.0 * (0.005 * 0.005 + 0.01 * 0.01) / 24.0;
+  InverseDepthImage image;
+  image.read(epcc::DepthFrame::fromDepth(depth.data(), camera));
+  image.weigh(SensorModel::axial(0.001, 0.0));
+  EXPECT_NEAR(image.noise.variance(1.0 / 3.0), place2 / 81.0, 1e-12);
+  EXPECT_NEAR(image.weight[0], 81.0 / place2, 1.0);
+  image.weigh(SensorModel::axial(0.01, 0.0));
+  EXPECT_NEAR(image.noise.variance(1.0 / 3.0), 0.01 * 0.01 / 81.0, 1e-12);
+}
+
+// ---- moments ----
+
+TEST(PlaneMoments, RunsAddUpToBruteForceSums) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(40, 30));
+  epcc::test::addNoise(room, kWhite, 1);
+  const auto image = imageOf(room);
+  const auto map = regionsOf(image, room.labels, 3);
+  for (std::int32_t label = 1; label <= 3; ++label) {
+    PlaneMoments brute;
+    for (int row = 0; row < 30; ++row)
+      for (int column = 0; column < 40; ++column) {
+        const std::size_t pixel = static_cast<std::size_t>(row) * 40 + column;
+        if (room.labels[pixel] != label) continue;
+        const double w = static_cast<double>(image.w[pixel]);
+        ASSERT_NEAR(image.weight[pixel] * image.noise.variance(w), 1.0, 1e-6);
+        brute.add(image.ray(row, column), w, 1.0 / image.weight[pixel]);
+      }
+    const auto& region = map.regions[static_cast<std::size_t>(label - 1)];
+    ASSERT_GT(brute.n, 50.0);
+    EXPECT_EQ(region.n, brute.n);
+    EXPECT_LT((region.rays - brute.rays).norm(), 1e-9 * brute.rays.norm());
+    EXPECT_LT((region.rays_w - brute.rays_w).norm(), 1e-9 * brute.rays_w.norm());
+    EXPECT_NEAR(region.w_w, brute.w_w, 1e-9 * brute.w_w);
+    EXPECT_NEAR(region.w_sum, brute.w_sum, 1e-9 * brute.w_sum);
+  }
+}
+
+TEST(PlaneMoments, FitFindsThePlaneAndItsResiduals) {
+  const Eigen::Vector3d q(0.2, -0.1, 0.5);
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> uniform(-0.5, 0.5);
+  std::normal_distribution<double> normal(0.0, 0.01);
+  PlaneMoments moments;
+  for (int i = 0; i < 4000; ++i) {
+    const Eigen::Vector3d ray(uniform(generator), uniform(generator), 1.0);
+    moments.add(ray, q.dot(ray) + normal(generator), 1e-4);
+  }
+  const auto fit = moments.fit(0.0);
+  EXPECT_LT((fit.q - q).norm(), 3e-3);
+  EXPECT_NEAR(fit.rss / moments.n, 1.0, 0.1);
+  // A strong ridge pulls the slopes to zero, not the height.
+  const auto flat = moments.fit(1e12);
+  EXPECT_LT(flat.q.head<2>().norm(), 1e-6);
+  EXPECT_NEAR(flat.q.z(), 0.5, 0.05);
+}
+
+TEST(PlaneMoments, SlopeFactorGrowsWithTheAngleAndIsClipped) {
+  EXPECT_NEAR(epcc::slopeFactor({0.0, 0.0, 1.0}, 1.0), 1.0, 1e-12);
+  EXPECT_NEAR(epcc::slopeFactor({0.6, 0.8, 1.0}, 0.5), 5.0, 1e-12);
+  EXPECT_NEAR(epcc::slopeFactor({100.0, 0.0, 1.0}, 0.5), 26.0, 1e-12);
+}
+
+TEST(LineSums, SegmentMomentsEqualBruteForceSums) {
+  const epcc::ScanLineRays rays{{0.3, 0.0, 1.0}, Eigen::Vector3d::UnitY()};
+  std::mt19937 generator(8);
+  std::uniform_real_distribution<double> uniform(0.2, 1.0);
+  LineSums sums;
+  PlaneMoments brute;
+  for (int i = 0; i < 50; ++i) {
+    const double x = 0.01 * i, w = uniform(generator), variance = uniform(generator);
+    sums.add(x, w, 1.0 / variance);
+    brute.add(rays.base + x * rays.axis, w, variance);
+  }
+  const auto moments = epcc::segmentMoments(rays, sums);
+  EXPECT_EQ(moments.n, brute.n);
+  EXPECT_LT((moments.rays - brute.rays).norm(), 1e-9);
+  EXPECT_LT((moments.rays_w - brute.rays_w).norm(), 1e-9);
+  EXPECT_NEAR(moments.w_w, brute.w_w, 1e-9);
+}
+
+// ---- S1 ----
+
+struct Grown {
+  std::vector<GrownLine> lines;
+  std::vector<std::int32_t> segment_of;
+};
+
+Grown grow(const std::vector<float>& w, double sigma_w) {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < w.size(); ++i) x.push_back(0.005 * static_cast<double>(i));
+  const std::vector<float> weight(w.size(), static_cast<float>(1.0 / (sigma_w * sigma_w)));
+  Grown grown;
+  grown.segment_of.resize(w.size());
+  epcc::LineGrowing growing{epcc::LineGrowingParameters()};
+  growing.grow(w.data(), weight.data(), x.data(), static_cast<int>(w.size()), 7, grown.lines, grown.segment_of.data());
+  return grown;
+}
+
+std::vector<float> ramp(int count, double start, double slope) {
+  std::vector<float> w;
+  for (int i = 0; i < count; ++i) w.push_back(static_cast<float>(start + slope * i));
+  return w;
+}
+
+TEST(LineGrowing, ARampIsOneLineThatOwnsEveryPixel) {
+  const auto grown = grow(ramp(100, 0.5, 0.001), 1e-4);
+  ASSERT_EQ(grown.lines.size(), 1u);
+  EXPECT_EQ(grown.lines[0].first, 0);
+  EXPECT_EQ(grown.lines[0].last, 99);
+  EXPECT_EQ(grown.lines[0].sums.n, 100.0);
+  EXPECT_NEAR(grown.lines[0].sums.slope(), 0.2, 1e-5);
+  for (const auto id : grown.segment_of) EXPECT_EQ(id, 7);
+}
+
+TEST(LineGrowing, AStepAndACornerStartNewLines) {
+  auto w = ramp(40, 0.5, 0.0);
+  for (const float value : ramp(40, 0.55, 0.0)) w.push_back(value);
+  for (const float value : ramp(40, 0.55, 0.002)) w.push_back(value);
+  const auto grown = grow(w, 5e-4);
+  ASSERT_EQ(grown.lines.size(), 3u);
+  EXPECT_EQ(grown.lines[0].last, 39);
+  EXPECT_EQ(grown.lines[1].first, 40);
+  EXPECT_NEAR(grown.lines[2].first, 80, 3);
+}
+
+TEST(LineGrowing, UpToFiveMissingPixelsAreBridgedSixAreNot) {
+  for (const int gap : {5, 6}) {
+    auto w = ramp(100, 0.5, 0.0);
+    for (int i = 50; i < 50 + gap; ++i) w[static_cast<std::size_t>(i)] = 0.0f;
+    EXPECT_EQ(grow(w, 1e-4).lines.size(), gap == 5 ? 1u : 2u) << gap;
+  }
+}
+
+TEST(LineGrowing, OutliersBelongToNoLine) {
+  auto w = ramp(100, 0.5, 0.0);
+  for (int i = 10; i < 100; i += 13) w[static_cast<std::size_t>(i)] = 0.9f;
+  const auto grown = grow(w, 1e-4);
+  ASSERT_EQ(grown.lines.size(), 1u);
+  for (int i = 10; i < 100; i += 13) EXPECT_EQ(grown.segment_of[static_cast<std::size_t>(i)], -1);
+}
+
+TEST(LineGrowing, FiveSamplesAreNoLine) {
+  EXPECT_TRUE(grow(ramp(5, 0.5, 0.0), 1e-4).lines.empty());
+  EXPECT_EQ(grow(ramp(6, 0.5, 0.0), 1e-4).lines.size(), 1u);
+  EXPECT_TRUE(grow({}, 1e-4).lines.empty());
+}
+
+// ---- S2 ----
+
+GrownLine lineOf(double w, int first, int last, double sigma_w) {
+  GrownLine line;
+  line.first = first;
+  line.last = last;
+  for (int i = first; i <= last; ++i) line.sums.add(0.005 * i, w, 1.0 / (sigma_w * sigma_w));
+  return line;
+}
+
+std::vector<int> planesOf(const std::vector<std::vector<GrownLine>>& scan_lines) {
+  epcc::PlaneGrowing growing(epcc::PlaneGrowingParameters(), kWhite);
+  growing.begin(0.005);
+  for (std::size_t i = 0; i < scan_lines.size(); ++i)
+    growing.addLine({{0.005 * static_cast<double>(i), 0.0, 1.0}, Eigen::Vector3d::UnitY()}, scan_lines[i].data(),
+                    scan_lines[i].size());
+  return growing.planeOf();
+}
+
+TEST(PlaneGrowing, NeighboursOfOneHeightJoinAndAStepDoesNot) {
+  std::vector<std::vector<GrownLine>> lines;
+  for (int i = 0; i < 20; ++i) lines.push_back({lineOf(i < 10 ? 0.5 : 0.52, 0, 50, 5e-4)});
+  const auto planes = planesOf(lines);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(planes[static_cast<std::size_t>(i)], i < 10 ? 0 : 1) << i;
+}
+
+TEST(PlaneGrowing, SegmentsThatDoNotOverlapInTheImageStayApart) {
+  EXPECT_EQ(planesOf({{lineOf(0.5, 0, 50, 5e-4)}, {lineOf(0.5, 60, 100, 5e-4)}})[1], 1);
+  EXPECT_EQ(planesOf({{lineOf(0.5, 0, 50, 5e-4)}, {lineOf(0.5, 49, 100, 5e-4)}})[1], 1);  // 2 pixels
+  EXPECT_EQ(planesOf({{lineOf(0.5, 0, 50, 5e-4)}, {lineOf(0.5, 20, 80, 5e-4)}})[1], 0);
+}
+
+// ---- S5 ----
+
+TEST(BoundaryRefinement, AShiftedCornerMovesBackAndHolesAreFilled) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  epcc::test::addNoise(room, kWhite, 5);
+  const auto image = imageOf(room);
+  auto labels = room.labels;
+  for (int row = 0; row < 120; ++row)  // every border moves three pixels to the right
+    for (int column = 159; column >= 3; --column)
+      labels[static_cast<std::size_t>(row) * 160 + column] =
+          room.labels[static_cast<std::size_t>(row) * 160 + column - 3];
+  for (std::size_t i = 0; i < labels.size(); i += 11) labels[i] = 0;
+  const auto wrong = [&](const std::vector<std::int32_t>& now) {
+    long count = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) count += now[i] != room.labels[i] ? 1 : 0;
+    return count;
+  };
+  const long before = wrong(labels);
+  auto map = regionsOf(image, room.labels, 3);  // the planes are known, the borders are not
+  map.labels = labels;
+  epcc::refineBoundaries(image, epcc::RefinementParameters(), map);
+  EXPECT_GT(before, 1500);
+  EXPECT_LT(wrong(map.labels), before / 20);
+}
+
+TEST(BoundaryRefinement, NothingIsLabelledBeyondTheResidual) {
+  auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera(60, 40));
+  for (int column = 20; column < 30; ++column) room.depth[static_cast<std::size_t>(20 * 60 + column)] -= 0.5f;
+  const auto image = imageOf(room);
+  auto labels = room.labels;
+  for (int column = 20; column < 30; ++column) labels[static_cast<std::size_t>(20 * 60 + column)] = 0;
+  auto map = regionsOf(image, labels, 1);
+  epcc::refineBoundaries(image, epcc::RefinementParameters(), map);
+  EXPECT_EQ(map.labels, labels);
+}
+
+}  // namespace

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs that are killed, gone on with, or refused.
+#include <algorithm>
+#include <random>
+
+#include "tests/eval/batch/eval_runner.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using epcc::test::EvalToolTest;
+
+class EvalResume : public EvalToolTest {
+ protected:
+  void writeFrames(const std::string& folder, unsigned count) const {
+    for (unsigned i = 0; i < count; ++i) writeFrame(folder, "f" + std::to_string(i), i);
+  }
+  std::size_t files(const std::string& folder) const {
+    std::size_t count = 0;
+    if (!exists(folder)) return 0;
+    for (const auto& entry : fs::recursive_directory_iterator(path(folder))) count += entry.is_regular_file() ? 1 : 0;
+    return count;
+  }
+};
+
+TEST_F(EvalResume, KilledAgainAndAgainTheReportIsThatOfOneRun) {
+  writeFrames("rooms", 30);
+  writeFrames("halls", 5);
+  write("rooms/f7_depth.png", "broken");
+  const std::vector<std::string> arguments = {"rooms", "halls", "--methods", "epcc-paper,omps", "--resume", "--out"};
+  const auto with = [&](const std::string& out) {
+    auto all = arguments;
+    all.push_back(out);
+    return all;
+  };
+  ASSERT_EQ(run(with("whole")).exit_code, 0);
+  std::mt19937 random(7);
+  int killed = 0, delay = 5;
+  std::size_t partly = 0;
+  for (int exit_code = 137; exit_code == 137; delay += 3 + delay / 6) {
+    const auto result = runAndKill(with("pieces"), delay + static_cast<int>(random() % 20));
+    exit_code = result.exit_code;
+    ASSERT_TRUE(exit_code == 137 || exit_code == 0) << result.err;
+    const std::size_t done = files("pieces/results");
+    if (exit_code == 137 && done > 0 && done < 35) ++partly;
+    killed += exit_code == 137 ? 1 : 0;
+    ASSERT_LT(delay, 30000);
+  }
+  EXPECT_GE(killed, 3);
+  EXPECT_GE(partly, 1U) << "killed between the first frame and the last";
+  EXPECT_EQ(report("pieces"), report("whole"));
+  EXPECT_EQ(files("pieces"), files("whole")) << "nothing half written is left";
+  EXPECT_EQ(row("pieces", "rooms", "omps").at("errors"), 1);
+}
+
+TEST_F(EvalResume, WhatIsDoneIsNotDoneAgain) {
+  writeFrames("rooms", 3);
+  ASSERT_EQ(run({"rooms", "--methods", "omps", "--out", "o"}).exit_code, 0);
+  const auto before = report("o");
+  const std::string times = read("o/frames.csv");
+  fs::remove(path("rooms/f1_depth.png"));
+  write("rooms/f1_depth.png", "broken");
+  fs::remove(path("o/results/rooms/000000/002.json"));
+  const auto result = run({"rooms", "--methods", "omps", "--out", "o", "--resume"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(report("o"), before);
+  const std::string again = read("o/frames.csv");
+  EXPECT_EQ(again.substr(0, again.find("rooms,f2")), times.substr(0, times.find("rooms,f2")));
+}
+
+TEST_F(EvalResume, DamagedResultsAreDoneAgain) {
+  writeFrames("rooms", 4);
+  ASSERT_EQ(run({"rooms", "--methods", "omps", "--out", "o"}).exit_code, 0);
+  const auto before = report("o");
+  const std::string folder = "o/results/rooms/000000/";
+  const std::string whole = read(folder + "000.json");
+  write(folder + "000.json", "");
+  write(folder + "001.json", whole.substr(0, whole.size() / 2));
+  write(folder + "002.json", "{\"version\": 1, \"index\": 2, \"records\": []}");
+  write(folder + ".epcc-1-2-3-4.tmp", "half");
+  EXPECT_EQ(run({"rooms", "--methods", "omps", "--out", "o", "--resume"}).exit_code, 0);
+  EXPECT_EQ(report("o"), before);
+  EXPECT_FALSE(exists(folder + ".epcc-1-2-3-4.tmp"));
+}
+
+TEST_F(EvalResume, ResultsAreNotOverwritten) {
+  writeFrames("rooms", 1);
+  ASSERT_EQ(run({"rooms", "--methods", "omps", "--out", "o"}).exit_code, 0);
+  expectFailure({"rooms", "--methods", "omps", "--out", "o"}, 2, "o has results already; go on with --resume");
+  fs::remove(path("o/run.json"));
+  expectFailure({"rooms", "--methods", "omps", "--out", "o"}, 2, "o has results already");
+  expectFailure({"rooms", "--methods", "omps", "--out", "o", "--resume"}, 2, "no run.json");
+  write("o/run.json", "{}");
+  expectFailure({"rooms", "--methods", "omps", "--out", "o", "--resume"}, 3, "run.json: file: ");
+}
+
+TEST_F(EvalResume, AnotherRunIsRefusedAndTheDifferenceNamed) {
+  writeFrames("rooms", 2);
+  ASSERT_EQ(run({"rooms", "--methods", "omps", "--out", "o"}).exit_code, 0);
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& words) {
+    arguments.insert(arguments.end(), {"--out", "o", "--resume"});
+    expectFailure(arguments, 2, words);
+  };
+  refused({"rooms", "--methods", "omps,epcc"}, "--methods was omps, is omps,epcc");
+  refused({"rooms", "--methods", "omps", "--noise", "kinect-v1"}, "--noise was the frames' own, is kinect-v1");
+  refused({"rooms", "--methods", "omps", "--overlays"}, "--overlays was off, is on");
+  refused({"rooms", "--methods", "omps", "--shard", "1/2"}, "--shard was 1/1, is 1/2");
+  refused({"rooms", "--methods", "omps", "--predictions", "a=b"}, "--predictions was none, is a=b");
+  writeFrame("halls", "f");
+  refused({"rooms", "halls", "--methods", "omps"}, "DATASET was rooms, is rooms,halls");
+  writeFrame("rooms", "f2");
+  refused({"rooms", "--methods", "omps"}, "data set rooms had 2 frames, has 3");
+  for (const char* file : {"f2_depth.png", "f2_labels.png", "f2.json"})
+    fs::rename(path(std::string("rooms/") + file), path(std::string("halls/") + file));
+  for (const char* file : {"_depth.png", "_labels.png", ".json"})
+    fs::rename(path(std::string("rooms/f1") + file), path(std::string("rooms/g1") + file));
+  refused({"rooms", "--methods", "omps"}, "the frames of data set rooms have other names");
+}
+
+TEST_F(EvalResume, NeedsOut) {
+  writeFrames("rooms", 1);
+  expectFailure({"rooms", "--resume"}, 2, "--resume needs --out");
+}
+
+TEST_F(EvalResume, TwoAtATimeInOneFolderAreRefused) {
+  writeFrames("rooms", 1);
+  fs::create_directory(path("o"));
+  const std::string hold = "flock o/.epcc-lock ";
+  const auto result = runShell(hold, {"rooms", "--methods", "omps", "--out", "o"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_NE(result.err.find("another epcc_eval is at work in it"), std::string::npos) << result.err;
+}
+
+}  // namespace

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files epcc_segment writes, for one input and for many.
+#include <sys/stat.h>
+
+#include <nlohmann/json.hpp>
+
+#include "datasets/files/organized_pcd.h"
+#include "datasets/files/png_io.h"
+#include "tests/eval/segment/tool_runner.h"
+
+namespace {
+
+using epcc::test::SegmentToolTest;
+using epcc::test::ToolResult;
+
+class SegmentOutput : public SegmentToolTest {
+ protected:
+  SegmentOutput() { writeFrame("room"); }
+  using Names = std::vector<std::string>;
+};
+
+TEST_F(SegmentOutput, WritesAllFour) {
+  const ToolResult result =
+      run({"room_depth.png", "--labels", "l.png", "--planes", "p.json", "--overlay", "o.png", "--cloud", "c.pcd"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const epcc::LabelImage labels = epcc::readGray16(path("l.png"));
+  EXPECT_EQ(labels.width, 64);
+  EXPECT_EQ(labels.height, 48);
+  EXPECT_EQ(*std::max_element(labels.data.begin(), labels.data.end()), 2);
+  const auto planes = nlohmann::json::parse(read("p.json"));
+  EXPECT_EQ(planes.at("planes").size(), 2U);
+  EXPECT_EQ(read("o.png").substr(1, 3), "PNG");
+  const epcc::OrganizedCloud cloud = epcc::readOrganizedPcd(path("c.pcd"), "label");
+  EXPECT_EQ(cloud.width, 64);
+  EXPECT_EQ(cloud.height, 48);
+}
+
+TEST_F(SegmentOutput, CloudAndDepthImageAgree) {
+  writeCloud("room.pcd");
+  ASSERT_EQ(run({"room_depth.png", "--labels", "depth.png"}).exit_code, 0);
+  const ToolResult result = run({"room.pcd", "--labels", "cloud.png"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const epcc::LabelImage a = epcc::readGray16(path("depth.png"));
+  const epcc::LabelImage b = epcc::readGray16(path("cloud.png"));
+  long same = 0;
+  for (std::size_t i = 0; i < a.data.size(); ++i) same += a.data[i] == b.data[i] ? 1 : 0;
+  EXPECT_GT(same, 64 * 48 * 95 / 100);
+}
+
+TEST_F(SegmentOutput, CloudThatLooksAlongMinusZIsTurned) {
+  writeCloud("room.pcd");
+  writeCloud("turned.pcd", true);
+  ASSERT_EQ(run({"room.pcd", "--labels", "a.png"}).exit_code, 0);
+  const ToolResult turned = run({"turned.pcd", "--labels", "b.png"});
+  ASSERT_EQ(turned.exit_code, 0) << turned.err;
+  EXPECT_NE(turned.out.find("floor-like"), std::string::npos) << turned.out;
+  EXPECT_EQ(read("a.png"), read("b.png"));
+}
+
+TEST_F(SegmentOutput, OwnCloudIsAnInput) {
+  ASSERT_EQ(run({"room_depth.png", "--cloud", "c.pcd", "--labels", "first.png"}).exit_code, 0);
+  ASSERT_EQ(run({"c.pcd", "--labels", "second.png"}).exit_code, 0);
+  EXPECT_EQ(epcc::readGray16(path("first.png")).width, epcc::readGray16(path("second.png")).width);
+}
+
+TEST_F(SegmentOutput, SeveralInputsIntoOneFolder) {
+  writeFrame("sub/other");
+  writeCloud("sub/cloud.pcd");
+  const ToolResult result = run({"room_depth.png", "sub/other_depth.png", "sub/cloud.pcd", "--out", "deep/out"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  Names expected;
+  for (const char* name : {"cloud", "other", "room"}) {
+    for (const char* kind : {"_cloud.pcd", "_labels.png", "_overlay.png", "_planes.json"}) {
+      expected.push_back(std::string(name) + kind);
+    }
+  }
+  EXPECT_EQ(names("deep/out"), expected);
+}
+
+TEST_F(SegmentOutput, FolderWithABadFrame) {
+  writeFrame("set/a");
+  writeFrame("set/b");
+  writeFrame("set/c");
+  write("set/b_depth.png", "no picture");
+  const ToolResult result = run({"set", "--out", "out"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("b_depth.png: "), std::string::npos) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_EQ(names("out").size(), 8U);
+  EXPECT_FALSE(exists("out/b_labels.png"));
+  EXPECT_NE(result.out.find("set/a_depth.png: "), std::string::npos);
+  EXPECT_NE(result.out.find("set/c_depth.png: "), std::string::npos);
+}
+
+TEST_F(SegmentOutput, FolderWithAFrameWithoutCamera) {
+  writeFrame("set/a");
+  writeDepth("set/b_depth.png");
+  const ToolResult result = run({"set", "--out", "out"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(names("out").size(), 4U);
+}
+
+TEST_F(SegmentOutput, SeveralInputsWithoutOutputs) {
+  writeFrame("other");
+  EXPECT_EQ(run({"room_depth.png", "other_depth.png"}).exit_code, 0);
+}
+
+TEST_F(SegmentOutput, SingleFileOutputsNeedASingleInput) {
+  writeFrame("set/a");
+  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud"}) {
+    expectFailure({"room_depth.png", "set/a_depth.png", option, "x"}, 2, "single input");
+    expectFailure({"set", option, "x"}, 2, "single input");
+    expectFailure({"room_depth.png", "--out", "out", option, "x"}, 2, "--out");
+  }
+  EXPECT_FALSE(exists("x"));
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(SegmentOutput, NeverOverwritesInputs) {
+  const std::string depth = read("room_depth.png");
+  const std::string camera = read("room.json");
+  expectFailure({"room_depth.png", "--labels", "room_depth.png"}, 2, "overwrite");
+  expectFailure({"room_depth.png", "--planes", "./room.json"}, 2, "overwrite");
+  expectFailure({"room_depth.png", "--labels", "x.png", "--overlay", "x.png"}, 2, "twice");
+  expectFailure({"room_depth.png", "--out", "."}, 2, "ground truth");
+  EXPECT_EQ(read("room_depth.png"), depth);
+  EXPECT_EQ(read("room.json"), camera);
+  EXPECT_EQ(names(), (Names{"room.json", "room_depth.png"}));
+}
+
+TEST_F(SegmentOutput, InputsOfTheSameNameClash) {
+  writeFrame("a/room");
+  expectFailure({"room_depth.png", "a/room_depth.png", "--out", "out"}, 2, "twice");
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(SegmentOutput, OutputThatCannotBeWritten) {
+  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud"}) {
+    expectFailure({"room_depth.png", option, "missing/x"}, 4, "missing/x: ");
+  }
+  write("file", "kept");
+  expectFailure({"room_depth.png", "--out", "file"}, 4, "file: ");
+  expectFailure({"room_depth.png", "--out", "file/below"}, 4, "file/below: ");
+  EXPECT_EQ(read("file"), "kept");
+  EXPECT_EQ(names(), (Names{"file", "room.json", "room_depth.png"}));
+}
+
+// A pipe stands for every special file: renaming onto /dev/null as root would replace the device.
+TEST_F(SegmentOutput, OutputThatIsADeviceOrPipe) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud"}) {
+    expectFailure({"room_depth.png", option, "pipe"}, 4, "pipe: file: is not a regular file");
+    EXPECT_TRUE(std::filesystem::is_fifo(path("pipe")));
+  }
+}
+
+TEST_F(SegmentOutput, OutputThatIsAFolder) {
+  std::filesystem::create_directory(path("folder"));
+  expectFailure({"room_depth.png", "--labels", "folder"}, 4, "folder: ");
+  EXPECT_TRUE(names("folder").empty());
+}
+
+}  // namespace
