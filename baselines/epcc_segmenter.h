@@ -2,8 +2,6 @@
 // EPCC behind the interface of the comparison.
 #pragma once
 
-#include <optional>
-
 #include "baselines/plane_segmenter.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/plane_extractor.h"
@@ -16,15 +14,14 @@ enum class SensorChoice {
   Measured  ///< estimateSensor() of the frame at hand; its time counts
 };
 
-/// PlaneExtractor as a PlaneSegmenter: "epcc" in the default mode, "epcc-paper" in the paper mode, with "-auto" behind
-/// it where the sensor is measured. The extractor and its memory are kept from frame to frame as long as the sensor
-/// model stays the same.
+/// PlaneExtractor as a PlaneSegmenter: "epcc" in Mode::InverseDepth, "epcc-paper" in Mode::Paper, with "-auto" behind
+/// it where the sensor is measured. Memory is kept from frame to frame.
 class EpccSegmenter : public PlaneSegmenter {
  public:
   explicit EpccSegmenter(const Parameters& parameters, SensorChoice sensor = SensorChoice::Given)
-      : parameters_(parameters), sensor_(sensor) {}
+      : sensor_(sensor), extractor_(parameters) {}
   std::string name() const override {
-    return std::string(parameters_.mode == Mode::Paper ? "epcc-paper" : "epcc") +
+    return std::string(extractor_.parameters().mode == Mode::Paper ? "epcc-paper" : "epcc") +
            (sensor_ == SensorChoice::Measured ? "-auto" : "");
   }
 
@@ -32,9 +29,8 @@ class EpccSegmenter : public PlaneSegmenter {
   bool run(const SegmenterInput& input, PlaneSegmentation& result) override;
 
  private:
-  Parameters parameters_;
   SensorChoice sensor_;
-  std::optional<PlaneExtractor> extractor_;
+  PlaneExtractor extractor_;
 };
 
 }  // namespace epcc

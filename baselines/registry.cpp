@@ -28,10 +28,7 @@ constexpr double kMultiPlaneCurvature = 0.01;
 
 SegmenterOptions defaultParameters() {
   SegmenterOptions options;
-  options.epcc.mode = Mode::Default;
-  options.epcc.scan = ScanDirection::Both;
-  options.epcc_paper.mode = Mode::Paper;
-  options.epcc_paper.scan = ScanDirection::Columns;
+  options.epcc_paper = Parameters::forPaper();
   options.region_growing.leaf = {0.0, kGrowingLeaf};
   options.region_growing.smoothness_degrees = kGrowingDegrees;
   options.ransac.leaf = {0.0, kRansacLeaf};
@@ -64,12 +61,12 @@ std::optional<SegmenterOptions> paperParameters(char scene) {
   options.ransac.leaf = {row.leaf, 0.0};
   options.ransac.inlier_distance = {row.ransac_distance, 0.0};
   options.ransac.normal_distance_weight = row.normal_weight;
-  options.epcc_paper.line.k_max = 2.0;
-  options.epcc_paper.line.fit_samples = 3;
-  options.epcc_paper.line.validation_samples = 5;  // k_min = 8
-  options.epcc_paper.plane.k_max = row.plane_k_max;
-  options.epcc_paper.plane.max_gap = 0.15;
-  options.epcc_paper.plane.min_segments = 15;  // 30 endpoints
+  options.epcc_paper.paper.line_k_max = 2.0;
+  options.epcc_paper.paper.expert.lines.fit_samples = 3;
+  options.epcc_paper.paper.expert.lines.validation_samples = 5;  // k_min = 8
+  options.epcc_paper.paper.plane_k_max = row.plane_k_max;
+  options.epcc_paper.paper.max_gap = 0.15;
+  options.epcc_paper.paper.min_segments = 15;  // 30 endpoints
   return options;
 }
 

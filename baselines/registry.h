@@ -17,15 +17,15 @@ namespace epcc {
 
 /// The parameters of every method.
 struct SegmenterOptions {
-  Parameters epcc;        ///< of "epcc"; its mode is the default mode
-  Parameters epcc_paper;  ///< of "epcc-paper"; its mode is the paper mode
+  Parameters epcc;        ///< of "epcc", in Mode::InverseDepth
+  Parameters epcc_paper;  ///< of "epcc-paper", in Mode::Paper
   RegionGrowingParameters region_growing;
   RansacParameters ransac;
   OrganizedMultiPlaneParameters organized_multi_plane;
 };
 
-/// For real frames of any depth camera and distance: EPCC with its own defaults, both scan directions in the default
-/// mode and columns in the paper mode; for the baselines see defaultParameters() in registry.cpp, value by value.
+/// For real frames of any depth camera and distance: EPCC with its own defaults, all scan directions that the mode has;
+/// for the baselines see defaultParameters() in registry.cpp, value by value.
 SegmenterOptions defaultParameters();
 
 /// Table 3 of the paper for the scene 'a', 'b', 'c' or 'd'; nothing for another letter. The paper has no parameters

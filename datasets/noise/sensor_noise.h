@@ -20,8 +20,8 @@ enum class NoiseKind {
 
 struct NoiseOptions {
   NoiseKind kind = NoiseKind::None;
-  SensorModel sensor;               ///< White
-  StereoNoise stereo;               ///< Stereo
+  SensorModel sensor = *SensorModel::preset("d435i");  ///< White
+  StereoNoise stereo;                                  ///< Stereo
   std::string preset = "rendered";  ///< sensor model that a segmenter should be told, written into the frame
 };
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Access to the points of the three kinds of organized measurement.
+// Views on depth images and organized clouds, checked when they are made.
 #include "epcc_segmentation/depth_frame.h"
 
+#include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <type_traits>
 
 namespace epcc {
 
@@ -14,27 +17,66 @@ std::string PinholeCamera::validate() const {
   return {};
 }
 
-DepthFrame DepthFrame::fromDepth(const float* depth, const PinholeCamera& camera) {
+DepthFrame DepthFrame::unusable(Status status, const char* problem) {
   DepthFrame frame;
-  if (depth == nullptr || !camera.validate().empty()) return frame;
-  frame.depth_ = depth;
-  frame.camera_ = camera;
-  frame.width_ = camera.width;
-  frame.height_ = camera.height;
-  frame.row_stride_ = static_cast<std::size_t>(camera.width);
-  frame.column_stride_ = 1;
+  frame.status_ = status;
+  frame.problem_ = problem;
   return frame;
 }
 
-DepthFrame DepthFrame::fromPoints(const float* xyz, std::size_t stride, int width, int height, Projection projection) {
+template <typename T>
+DepthFrame DepthFrame::ofView(const DepthView<T>& depth, const PinholeCamera& camera) {
+  if (depth.data == nullptr || depth.width <= 0 || depth.height <= 0)
+    return unusable(Status::EmptyCloud, "the depth image is empty");
+  if (!camera.validate().empty())
+    return unusable(Status::InvalidCamera, "the camera is invalid: size, fx and fy must be positive, cx and cy finite");
+  if (camera.width != depth.width || camera.height != depth.height)
+    return unusable(Status::SizeMismatch, "the camera's size is not that of the depth image");
+  const std::ptrdiff_t row_bytes = static_cast<std::ptrdiff_t>(depth.width) * static_cast<std::ptrdiff_t>(sizeof(T));
+  const std::ptrdiff_t stride = depth.row_stride == 0 ? row_bytes : depth.row_stride;
+  if (std::abs(stride) < row_bytes)
+    return unusable(Status::SizeMismatch, "the depth image's row stride, in bytes, is less than a row");
+  if (!(depth.scale > 0.0) || !std::isfinite(depth.scale))
+    return unusable(Status::InvalidCamera, "the depth image's scale must be positive");
   DepthFrame frame;
-  if (xyz == nullptr || stride < 3 || width <= 0 || height <= 0) return frame;
+  frame.setSize(depth.width, depth.height);
+  frame.camera_ = camera;
+  frame.depth_ = reinterpret_cast<const char*>(depth.data);
+  frame.depth_is_float_ = std::is_same<T, float>::value;
+  frame.depth_row_stride_ = stride;
+  frame.depth_column_stride_ = static_cast<std::ptrdiff_t>(sizeof(T));
+  frame.scale_ = depth.scale;
+  return frame;
+}
+
+DepthFrame DepthFrame::fromDepth(const DepthView<float>& depth, const PinholeCamera& camera) {
+  return ofView(depth, camera);
+}
+
+DepthFrame DepthFrame::fromDepth(const DepthView<std::uint16_t>& depth, const PinholeCamera& camera) {
+  return ofView(depth, camera);
+}
+
+DepthFrame DepthFrame::fromDepth(const float* depth, const PinholeCamera& camera) {
+  return ofView(DepthView<float>{depth, camera.width, camera.height}, camera);
+}
+
+void DepthFrame::setSize(int width, int height) {
+  status_ = Status::Ok;
+  problem_ = "";
+  width_ = width;
+  height_ = height;
+  row_stride_ = static_cast<std::size_t>(width);
+  column_stride_ = 1;
+}
+
+DepthFrame DepthFrame::fromPoints(const float* xyz, std::size_t stride, int width, int height, Projection projection) {
+  if (xyz == nullptr || width <= 0 || height <= 0) return unusable(Status::EmptyCloud, "the cloud is empty");
+  if (stride < 3) return unusable(Status::SizeMismatch, "the cloud's points are less than three floats apart");
+  DepthFrame frame;
+  frame.setSize(width, height);
   frame.xyz_ = xyz;
   frame.point_stride_ = stride;
-  frame.width_ = width;
-  frame.height_ = height;
-  frame.row_stride_ = static_cast<std::size_t>(width);
-  frame.column_stride_ = 1;
   frame.projection_ = projection;
   return frame;
 }
@@ -49,59 +91,31 @@ DepthFrame DepthFrame::transposed() const {
   DepthFrame frame = *this;
   std::swap(frame.width_, frame.height_);
   std::swap(frame.row_stride_, frame.column_stride_);
+  std::swap(frame.depth_row_stride_, frame.depth_column_stride_);
   frame.transposed_ = !transposed_;
   return frame;
 }
 
-void DepthFrame::depthRow(int row, float* depth) const {
-  const std::size_t start = index(row, 0);
+template <typename T>
+void DepthFrame::readRow(int row, float* depth) const {
+  const char* values = depth_ + row * depth_row_stride_;
   for (int c = 0; c < width_; ++c) {
-    const float z = depth_[start + static_cast<std::size_t>(c) * column_stride_];
+    T value;
+    std::memcpy(&value, values + c * depth_column_stride_, sizeof value);
+    const auto z = static_cast<float>(value * scale_);
     depth[c] = z > 0.0f && z <= std::numeric_limits<float>::max() ? z : 0.0f;
   }
-  if (mask_ == nullptr) return;
-  for (int c = 0; c < width_; ++c)
-    if (mask_[start + static_cast<std::size_t>(c) * column_stride_] == 0) depth[c] = 0.0f;
 }
 
-Projection detectProjection(const float* xyz, std::size_t stride, int width, int height) {
-  // Sum over neighbouring valid points of a column of the change of each candidate's column angle.
-  double perspective_change = 0.0;
-  double spherical_change = 0.0;
-  long pairs = 0;
-  long points = 0;
-  long behind = 0;
-  const int column_step = width > 64 ? width / 64 : 1;
-  for (int column = 0; column < width; column += column_step) {
-    bool have_last = false;
-    double last_perspective = 0.0;
-    double last_spherical = 0.0;
-    for (int row = 0; row < height; ++row) {
-      const float* p = xyz + (static_cast<std::size_t>(row) * width + column) * stride;
-      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) continue;
-      const double x = static_cast<double>(p[0]);
-      const double y = static_cast<double>(p[1]);
-      const double z = static_cast<double>(p[2]);
-      if (x == 0.0 && y == 0.0 && z == 0.0) continue;
-      ++points;
-      if (z <= 0.0) ++behind;
-      const double perspective_angle = std::atan2(x, z);
-      const double spherical_angle = std::atan2(y, x);
-      if (have_last) {
-        perspective_change += std::abs(std::remainder(perspective_angle - last_perspective, 2.0 * M_PI));
-        spherical_change += std::abs(std::remainder(spherical_angle - last_spherical, 2.0 * M_PI));
-        ++pairs;
-      }
-      last_perspective = perspective_angle;
-      last_spherical = spherical_angle;
-      have_last = true;
-    }
-  }
-  // A camera sees one side of z = 0 only; ten times clearer is clear enough.
-  const Projection perspective = 2 * behind > points ? Projection::PerspectiveBackward : Projection::Perspective;
-  if (pairs < 16) return Projection::Perspective;
-  if ((behind == 0 || behind == points) && spherical_change > 0.1 * perspective_change) return perspective;
-  return spherical_change < perspective_change ? Projection::Spherical : perspective;
+void DepthFrame::depthRow(int row, float* depth) const {
+  assert(isPinhole());
+  if (depth_is_float_)
+    readRow<float>(row, depth);
+  else
+    readRow<std::uint16_t>(row, depth);
+  if (mask_ == nullptr) return;
+  for (int c = 0; c < width_; ++c)
+    if (mask_[index(row, c)] == 0) depth[c] = 0.0f;
 }
 
 }  // namespace epcc

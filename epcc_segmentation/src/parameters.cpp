@@ -1,106 +1,110 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Range checks of the parameters, in words.
+// Checks of the parameters, and their values as text, from the parameter table.
 #include "epcc_segmentation/parameters.h"
 
+#include <cmath>
+#include <cstdlib>
 #include <sstream>
+
+#include "epcc_segmentation/parameter_table.h"
 
 namespace epcc {
 
 namespace {
 
-/// "NAME must be in [LOW, HIGH] UNIT, not VALUE" unless it is; NaN never is.
-template <typename Number>
-std::string checkRange(const char* name, Number value, Number low, Number high, const char* unit = "") {
-  if (value >= low && value <= high) return {};
+constexpr double kAboveZero = 1e-6;
+
+/// As one writes it: "0.15", "60", "1e9".
+std::string numberText(double value) {
   std::ostringstream text;
-  text << name << " must be in [" << low << ", " << high << "]" << unit << ", not " << value;
-  return text.str();
+  text.precision(std::abs(value) < 1e6 ? 10 : 6);
+  text << value;
+  std::string number = text.str();
+  const std::size_t exponent = number.find("e+0");
+  if (exponent != std::string::npos) number.erase(exponent + 1, 2);
+  return number;
 }
 
-std::string firstOf(std::initializer_list<std::string> problems) {
-  for (const auto& problem : problems)
-    if (!problem.empty()) return problem;
-  return {};
+/// A list of words, "a | b | c".
+std::string choicesText(const ParameterField& field) {
+  std::string text;
+  for (const char* word : field.choices) text += (text.empty() ? "" : " | ") + std::string(word);
+  return text;
 }
 
-constexpr double kSmallest = 1e-6;
+/// Empty if the value is in the field's range; NaN never is.
+std::string rangeProblem(const ParameterField& field, double value) {
+  if (value >= field.low && value <= field.high) return {};
+  return std::string(field.name) + " must be in " + rangeText(field) + ", not " + valueText(field, value);
+}
+
+/// The value that a text names; NaN if it names none.
+double parsedValue(const ParameterField& field, const std::string& text) {
+  for (std::size_t i = 0; i < field.choices.size(); ++i)
+    if (text == field.choices[i]) return static_cast<double>(i);
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_number = field.choices.empty() && end != text.c_str() && *end == '\0';
+  return is_number && (!field.whole || value == std::floor(value)) ? value : std::nan("");
+}
+
+const ParameterField* fieldNamed(const std::string& name) {
+  for (const ParameterField& field : parameterFields())
+    if (name == field.name) return &field;
+  return nullptr;
+}
 
 }  // namespace
 
-std::string LineClusteringParameters::validate() const {
-  return firstOf({checkRange("line.fit_samples (l)", fit_samples, 2, 100),
-                  checkRange("line.validation_samples (l_v)", validation_samples, 1, 100),
-                  checkRange("line.buffer_samples (n_buf)", buffer_samples, fit_samples + validation_samples, 1000),
-                  checkRange("line.k_max", k_max, kSmallest, 100.0),
-                  checkRange("line.projection_floor", projection_floor, 0.0, 1.0)});
+std::string rangeText(const ParameterField& field) {
+  if (!field.choices.empty()) return choicesText(field);
+  const bool open = field.low == kAboveZero;
+  std::string text = (open ? "(0" : "[" + numberText(field.low)) + ", " + numberText(field.high) + "]";
+  if (*field.unit != '\0') text += " " + std::string(field.unit);
+  return text;
 }
 
-std::string PlaneClusteringParameters::validate() const {
-  return firstOf({checkRange("plane.k_max", k_max, kSmallest, 100.0),
-                  checkRange("plane.max_gap (d_1)", max_gap, 0.0, 100.0, " m"),
-                  checkRange("plane.look_back", look_back, 1, 100),
-                  checkRange("plane.pair_look_back", pair_look_back, 1, look_back),
-                  checkRange("plane.max_start_angle", max_start_angle, kSmallest, 90.0, " degrees"),
-                  checkRange("plane.min_segments", min_segments, 1, 1000000),
-                  checkRange("plane.min_points", min_points, 0, 1000000000)});
+std::string valueText(const ParameterField& field, double value) {
+  if (field.choices.empty()) return numberText(value);
+  const bool known = value >= 0.0 && value < static_cast<double>(field.choices.size());
+  return known ? field.choices[static_cast<std::size_t>(value)] : "choice number " + numberText(value);
 }
 
-std::string LineGrowingParameters::validate() const {
-  return firstOf({checkRange("line_growing.k_max", k_max, kSmallest, 100.0),
-                  checkRange("line_growing.min_samples", min_samples, 3, 100),
-                  checkRange("line_growing.max_gap_pixels", max_gap_pixels, 0, 1000)});
+std::string setParameter(const std::string& assignment, Parameters& parameters) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) return "'" + assignment + "' is not NAME=VALUE";
+  const std::string name = assignment.substr(0, equals);
+  const std::string text = assignment.substr(equals + 1);
+  const ParameterField* field = fieldNamed(name);
+  if (field == nullptr) return "there is no parameter '" + name + "'";
+  const double value = parsedValue(*field, text);
+  if (std::isnan(value))
+    return name + " must be " + (field->choices.empty() ? field->whole ? "a whole number in " : "a number in " : "") +
+           rangeText(*field) + ", not '" + text + "'";
+  const std::string problem = rangeProblem(*field, value);
+  if (problem.empty()) field->set(parameters, value);
+  return problem;
 }
 
-std::string PlaneGrowingParameters::validate() const {
-  return firstOf({checkRange("plane_growing.k_max", k_max, kSmallest, 100.0),
-                  checkRange("plane_growing.min_overlap_pixels", min_overlap_pixels, 1, 1000),
-                  checkRange("plane_growing.max_prediction", max_prediction, 0.0, 1e6),
-                  checkRange("plane_growing.min_points", min_points, 1, 1000000),
-                  checkRange("plane_growing.min_segments", min_segments, 1, 1000000)});
-}
-
-std::string MergingParameters::validate() const {
-  return firstOf({checkRange("merging.fragment_tolerance (c1)", fragment_tolerance, 0.0, 1e6),
-                  checkRange("merging.offset_tolerance (c2)", offset_tolerance, 0.0, 100.0),
-                  checkRange("merging.max_step", max_step, kSmallest, 1e6),
-                  checkRange("merging.ragged_border", ragged_border, kSmallest, 1e6),
-                  checkRange("merging.max_ragged_gain", max_ragged_gain, 1.0, 100.0),
-                  checkRange("merging.max_ragged_step", max_ragged_step, 0.0, 1e6),
-                  checkRange("merging.bridge_samples", bridge_samples, 0.0, 1000.0),
-                  checkRange("merging.min_bridge_pixels", min_bridge_pixels, 0, 1000),
-                  checkRange("merging.min_contacts", min_contacts, 1, 1000000),
-                  checkRange("merging.min_samples", min_samples, 0.0, 1e6),
-                  checkRange("merging.max_occluder", max_occluder, 0.0, 100.0)});
-}
-
-std::string RefinementParameters::validate() const {
-  return firstOf({checkRange("refinement.passes", passes, 0, 1000),
-                  checkRange("refinement.max_residual", max_residual, kSmallest, 100.0),
-                  checkRange("refinement.flip_gain", flip_gain, 0.0, 100.0),
-                  checkRange("refinement.crease_passes", crease_passes, 0, 1000),
-                  checkRange("refinement.crease_vote_pixels", crease_vote_pixels, 1, 100),
-                  checkRange("refinement.crease_min_votes", crease_min_votes, 1, 1000000),
-                  checkRange("refinement.crease_agreement", crease_agreement, 0.5, 1.0),
-                  checkRange("refinement.crease_range", crease_range, 0.0, 100.0),
-                  checkRange("refinement.crease_slack", crease_slack, 0.0, 100.0)});
-}
-
-std::string EvidenceParameters::validate() const {
-  return firstOf({checkRange("evidence.min_points", min_points, 1, 1000000000),
-                  checkRange("evidence.min_samples", min_samples, 0.0, 1e6),
-                  checkRange("evidence.max_chi2", max_chi2, kSmallest, 1e6),
-                  checkRange("evidence.min_evidence", min_evidence, 0.0, 1e6),
-                  checkRange("evidence.rough_evidence", rough_evidence, 0.0, 1e6),
-                  checkRange("evidence.min_radius", min_radius, 0.0, 1e6),
-                  checkRange("evidence.bending_share", bending_share, 0.0, 1.0),
-                  checkRange("evidence.bending_evidence", bending_evidence, 0.0, 1e6)});
+Parameters Parameters::forPaper() {
+  Parameters parameters;
+  parameters.mode = Mode::Paper;
+  return parameters;
 }
 
 std::string Parameters::validate() const {
-  if (mode == Mode::Paper && scan == ScanDirection::Both) return "scan: the paper mode scans columns or rows, not both";
-  return firstOf({line.validate(), plane.validate(), line_growing.validate(), plane_growing.validate(),
-                  merging.validate(), refinement.validate(), evidence.validate(),
-                  checkRange("threads", threads, 1, 256)});
+  for (const ParameterField& field : parameterFields()) {
+    const std::string problem = rangeProblem(field, field.get(*this));
+    if (!problem.empty()) return problem;
+  }
+  const PaperParameters::Expert& expert = paper.expert;
+  if (expert.lines.buffer_samples < expert.lines.minSamples())
+    return "paper.expert.lines.buffer_samples (n_buf) must be at least fit_samples + validation_samples = " +
+           std::to_string(expert.lines.minSamples()) + ", not " + std::to_string(expert.lines.buffer_samples);
+  if (expert.planes.pair_look_back > expert.planes.look_back)
+    return "paper.expert.planes.pair_look_back must be at most look_back = " + std::to_string(expert.planes.look_back) +
+           ", not " + std::to_string(expert.planes.pair_look_back);
+  return {};
 }
 
 }  // namespace epcc

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
+#include <new>
 
 #include "epcc_segmentation/plane_fit.h"
+#include "epcc_segmentation/sensor_estimation.h"
 #include "inverse_depth/inverse_depth_pipeline.h"
 #include "metric/metric_pipeline.h"
 
@@ -45,29 +48,55 @@ void moveLabels(const DepthFrame& frame, std::vector<std::int32_t>& from, std::v
 struct PlaneExtractor::Workspace {
   Workspace(const Parameters& parameters, const SensorModel& sensor)
       : metric(parameters, sensor), inverse_depth(parameters, sensor) {}
+  InverseDepthImage image;
+  SensorEstimator estimator;
   MetricPipeline metric;
   InverseDepthPipeline inverse_depth;
 };
 
-PlaneExtractor::PlaneExtractor(const Parameters& parameters, const SensorModel& sensor)
-    : parameters_(parameters), sensor_(sensor), workspace_(std::make_unique<Workspace>(parameters, sensor)) {}
+PlaneExtractor::PlaneExtractor(const Parameters& parameters, const std::optional<SensorModel>& sensor)
+    : parameters_(parameters),
+      sensor_(sensor.value_or(SensorEstimate().model())),
+      measures_sensor_(!sensor.has_value()),
+      workspace_(std::make_unique<Workspace>(parameters_, sensor_)) {}
 PlaneExtractor::~PlaneExtractor() = default;
 PlaneExtractor::PlaneExtractor(PlaneExtractor&&) noexcept = default;
 PlaneExtractor& PlaneExtractor::operator=(PlaneExtractor&&) noexcept = default;
 
-bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result) {
-  prepare(frame, result);
-  if (!error_.empty()) return false;
+void PlaneExtractor::setParameters(const Parameters& parameters) {
+  parameters_ = parameters;
+}
+
+void PlaneExtractor::setSensor(const SensorModel& sensor) {
+  sensor_ = sensor;
+  measures_sensor_ = false;
+}
+
+void PlaneExtractor::setSensorAuto() {
+  sensor_ = SensorEstimate().model();
+  measures_sensor_ = true;
+  workspace_->estimator.reset();
+}
+
+bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result) try {
+  if (!check(frame, result)) return false;
   const int count = parameters_.mode == Mode::Paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
   StopWatch watch;
   fitPlanes(frame, sensor_, count, result);
   times_.result += watch.lap();
   return true;
+} catch (const std::bad_alloc&) {
+  return fail(Status::OutOfMemory, "there is not enough memory for the frame", result);
+} catch (const std::exception& error) {
+  return fail(Status::Failed, error.what(), result);
 }
 
 int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& result) {
+  result.labels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
+  if (measures_sensor_) measureSensor(frame);
   const DepthFrame view = parameters_.scan == ScanDirection::Rows ? frame.transposed() : frame;
   MetricPipeline& pipeline = workspace_->metric;
+  pipeline.configure(parameters_, sensor_);
   StopWatch watch;
   pipeline.clusterLines(view);  // Algorithm 1
   times_.lines = watch.lap();
@@ -79,10 +108,15 @@ int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& re
 }
 
 int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result) {
-  InverseDepthPipeline& pipeline = workspace_->inverse_depth;
   StopWatch watch;
-  pipeline.read(frame);
+  workspace_->image.read(frame);
   times_.read = watch.lap();
+  if (measures_sensor_) sensor_ = workspace_->estimator.update(workspace_->image).model();
+  times_.sensor = watch.lap();
+  InverseDepthPipeline& pipeline = workspace_->inverse_depth;
+  pipeline.configure(parameters_, sensor_);
+  pipeline.begin(workspace_->image);
+  times_.read += watch.lap();
   pipeline.growLines();  // S1
   times_.lines = watch.lap();
   pipeline.growPlanes();  // S2
@@ -98,18 +132,40 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   return pipeline.labelCount();
 }
 
-void PlaneExtractor::prepare(const DepthFrame& frame, PlaneSegmentation& result) {
+// The paper mode has no use for the inverse depths but this.
+void PlaneExtractor::measureSensor(const DepthFrame& frame) {
+  StopWatch watch;
+  if (workspace_->estimator.isDue(frame.width(), frame.height())) workspace_->image.read(frame);
+  times_.read = watch.lap();
+  sensor_ = workspace_->estimator.update(workspace_->image).model();
+  times_.sensor = watch.lap();
+}
+
+bool PlaneExtractor::check(const DepthFrame& frame, PlaneSegmentation& result) {
   result.width = std::max(0, frame.width());
   result.height = std::max(0, frame.height());
   result.planes.clear();
   times_ = StageTimes();
+  status_ = Status::Ok;
   error_ = parameters_.validate();
-  if (error_.empty()) error_ = sensor_.validate();
-  if (error_.empty() && frame.empty()) error_ = "the frame is empty or its camera is invalid";
-  if (error_.empty() && frame.projection() == Projection::Spherical && parameters_.scan == ScanDirection::Rows)
-    error_ = "the rows of a spherical scan are cones, not planar sections: scan by columns";
-  if (error_.empty() && parameters_.mode == Mode::Default) return;  // which writes every label
-  result.labels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
+  if (error_.empty() && !measures_sensor_) error_ = sensor_.validate();
+  if (!error_.empty()) return fail(Status::InvalidParameters, error_, result);
+  if (frame.empty()) return fail(frame.status(), frame.problem(), result);
+  if (frame.projection() == Projection::Spherical && parameters_.scan == ScanDirection::Rows)
+    return fail(Status::UnsupportedScan, "the rows of a spherical scan are cones, not planar sections: scan by columns",
+                result);
+  return true;
+}
+
+bool PlaneExtractor::fail(Status status, const std::string& error, PlaneSegmentation& result) {
+  status_ = status;
+  error_ = error;
+  result.planes.clear();
+  if (status == Status::OutOfMemory || status == Status::Failed)
+    result = PlaneSegmentation();  // takes no memory
+  else
+    result.labels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
+  return false;
 }
 
 }  // namespace epcc

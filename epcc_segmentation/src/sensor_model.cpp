@@ -51,8 +51,6 @@ std::optional<std::array<double, 3>> threeNumbers(const std::string& text) {
 
 }  // namespace
 
-SensorModel::SensorModel() : SensorModel(*preset("d435i")) {}
-
 SensorModel SensorModel::polynomial(double k1, double k2, double k3, double correlation_length) {
   return SensorModel(true, k1, k2, k3, correlation_length);
 }

@@ -12,7 +12,7 @@ LineStatistics lineStatistics(const LabelledFrame& frame, const Parameters& para
   const DepthFrame image = DepthFrame::fromDepth(frame.depth.data.data(), frame.camera.camera);
   const DepthFrame view = parameters.scan == ScanDirection::Rows ? image.transposed() : image;
   const SensorModel model = frameSensor(sensor, frame.camera.noise, image, frame.name + ".json").model;
-  LineClustering clustering(parameters.line);
+  LineClustering clustering(parameters.paper);
   ScanLine line;
   LineSegments segments;
   std::size_t lines = 0, samples = 0, members = 0, found = 0;

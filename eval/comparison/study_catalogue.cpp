@@ -48,8 +48,8 @@ void addCriteria(const ComparisonOptions& options, Study& study) {
     for (int k_max = 1; k_max <= 4; ++k_max)
       study.variants.push_back(
           variant(criterion.first, std::to_string(k_max), [kind = criterion.second, k_max](Parameters& parameters) {
-            parameters.plane.criterion = kind;
-            parameters.plane.k_max = k_max;
+            parameters.paper.criterion = kind;
+            parameters.paper.plane_k_max = k_max;
           }));
   useScenes(options, study);
 }
@@ -62,8 +62,8 @@ void addBuffer(const ComparisonOptions& options, Study& study) {
     for (const int buffer : {16, 24, 32, 64})
       study.variants.push_back(
           variant(std::to_string(k_min), std::to_string(buffer), [k_min, buffer](Parameters& parameters) {
-            parameters.line.validation_samples = k_min - parameters.line.fit_samples;
-            parameters.line.buffer_samples = buffer;
+            parameters.paper.expert.lines.validation_samples = k_min - parameters.paper.expert.lines.fit_samples;
+            parameters.paper.expert.lines.buffer_samples = buffer;
           }));
   useScenes(options, study);
 }
@@ -76,8 +76,8 @@ void addDistance(const ComparisonOptions& options, Study& study) {
   study.count_lines = true;
   const auto add = [&study](const char* name, bool in_lines, bool in_planes) {
     study.variants.push_back(variant(name, "", [in_lines, in_planes](Parameters& parameters) {
-      parameters.line.use_sensor_noise = in_lines;
-      parameters.plane.criterion =
+      parameters.paper.expert.lines.use_sensor_noise = in_lines;
+      parameters.paper.criterion =
           in_planes ? PlaneCriterion::PrototypeSensorSegment : PlaneCriterion::PrototypeSegment;
     }));
   };

@@ -8,8 +8,10 @@
 #include <ostream>
 
 #include "datasets/support/input_error.h"
+#include "epcc_segmentation/parameter_table.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/segment/parameter_page.h"
 
 namespace epcc {
 namespace {
@@ -25,7 +27,8 @@ constexpr const char* kFooter =
 // The options as typed, before they are checked against each other.
 struct RawOptions {
   std::optional<double> fx, fy, cx, cy, depth_scale;
-  std::string mode = "default";
+  std::string mode = "inverse-depth";
+  std::vector<std::string> assignments;
   std::string scan;  // empty: the mode's own
   std::optional<double> line_k_max, plane_k_max, max_gap;
   std::optional<int> min_points;
@@ -59,8 +62,8 @@ std::string checkNoise(const std::string& text) {
 }
 
 std::string checkMode(const std::string& text) {
-  const bool known = text == "default" || text == "paper";
-  return known ? std::string() : "unknown mode '" + text + "'; use 'default' or 'paper'";
+  const bool known = text == "inverse-depth" || text == "default" || text == "paper";
+  return known ? std::string() : "unknown mode '" + text + "'; use 'inverse-depth' or 'paper'";
 }
 
 std::string checkScan(const std::string& text) {
@@ -102,16 +105,19 @@ void addMethodOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
   const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
     return app.add_option(name, value, text)->type_name(type)->group("Method");
   };
-  add("--mode", raw.mode, "MODE", "default | paper (default)")->check(checkMode);
+  add("--mode", raw.mode, "MODE", "inverse-depth | paper (inverse-depth, also called default)")->check(checkMode);
   add("--noise", options.noise, "NOISE",
       "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | auto (else the frame's own, else auto)")
       ->check(checkNoise);
-  add("--scan", raw.scan, "WHICH", "Scan lines: columns | rows | both (both; paper: columns)")->check(checkScan);
+  add("--scan", raw.scan, "WHICH", "Scan lines: columns | rows | both: all that the mode has (both)")->check(checkScan);
   add("--line-k-max", raw.line_k_max, "K", "Gate of a line, in sigma (1.5; paper, Eq. 20: 2)")->check(checkFinite);
   add("--plane-k-max", raw.plane_k_max, "K", "Gate of a plane, in sigma (2; paper, Eq. 23: 3)")->check(checkFinite);
   add("--max-gap", raw.max_gap, "D1", "Paper: gap within a plane beyond the noise, metres (0.15)")->check(checkFinite);
   add("--min-points", raw.min_points, "N", "Planes with fewer pixels are dropped (60; paper: 0)");
   add("--criterion", raw.criterion, "a|b|c|d", "Paper: form of the criterion, Table 2 (a)")->check(checkCriterion);
+  add("--set", raw.assignments, "NAME=VALUE", "Any parameter, as --list-parameters names it; may be given again")
+      ->expected(1)
+      ->take_all();
   add("--threads", p.threads, "N", "Threads; the result does not depend on them (1)");
 }
 
@@ -129,22 +135,31 @@ void addOutputOptions(CLI::App& app, SegmentOptions& options) {
   app.add_flag("--timing", options.timing, "Print the time of each stage")->group("Output");
 }
 
+// Ends the reading of the command line with a text to print, as --version does.
+void printParameters() {
+  std::string page = parameterPage();
+  page.pop_back();  // a new line follows
+  throw CLI::CallForVersion(page, 0);
+}
+
 // The method's options, each in its mode. Empty if all is well, else what is wrong.
 std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
   const bool paper = raw.mode == "paper";
-  const int threads = parameters.threads;
-  parameters = paper ? Parameters::paper() : Parameters();
-  parameters.threads = threads;
+  parameters.mode = paper ? Mode::Paper : Mode::InverseDepth;
   if (!paper && raw.max_gap) return "--max-gap belongs to the paper mode";
   if (!paper && !raw.criterion.empty()) return "--criterion belongs to the paper mode";
   if (raw.scan == "columns") parameters.scan = ScanDirection::Columns;
   if (raw.scan == "rows") parameters.scan = ScanDirection::Rows;
   if (raw.scan == "both") parameters.scan = ScanDirection::Both;
-  if (raw.line_k_max) (paper ? parameters.line.k_max : parameters.line_growing.k_max) = *raw.line_k_max;
-  if (raw.plane_k_max) (paper ? parameters.plane.k_max : parameters.plane_growing.k_max) = *raw.plane_k_max;
-  if (raw.max_gap) parameters.plane.max_gap = *raw.max_gap;
-  if (raw.min_points) (paper ? parameters.plane.min_points : parameters.evidence.min_points) = *raw.min_points;
-  if (!raw.criterion.empty()) parameters.plane.criterion = static_cast<PlaneCriterion>(raw.criterion[0] - 'a');
+  if (raw.line_k_max) (paper ? parameters.paper.line_k_max : parameters.inverse_depth.line_k_max) = *raw.line_k_max;
+  if (raw.plane_k_max) (paper ? parameters.paper.plane_k_max : parameters.inverse_depth.plane_k_max) = *raw.plane_k_max;
+  if (raw.max_gap) parameters.paper.max_gap = *raw.max_gap;
+  if (raw.min_points) (paper ? parameters.paper.min_points : parameters.inverse_depth.min_points) = *raw.min_points;
+  if (!raw.criterion.empty()) parameters.paper.criterion = static_cast<PlaneCriterion>(raw.criterion[0] - 'a');
+  for (const std::string& assignment : raw.assignments) {
+    const std::string problem = setParameter(assignment, parameters);
+    if (!problem.empty()) return "--set: " + problem;
+  }
   return parameters.validate();
 }
 
@@ -169,6 +184,8 @@ std::optional<int> parseSegmentOptions(int argc, const char* const* argv, Segmen
   app.footer(kFooter);
   app.set_version_flag("--version", versionText("epcc_segment"));
   RawOptions raw;
+  app.add_flag_callback("--list-parameters", printParameters,
+                        "Print every parameter with default, range and effect, and exit");
   app.add_option("INPUT", options.inputs, "Files and folders to segment")->type_name("")->required()->check(checkPath);
   addCameraOptions(app, options, raw);
   addMethodOptions(app, options, raw);

@@ -23,10 +23,10 @@ TEST(Registry, KnowsItsNamesAndNoOthers) {
 
 TEST(Registry, EpccRunsInTheModeOfItsName) {
   for (const SegmenterOptions& options : {defaultParameters(), *paperParameters('c')}) {
-    EXPECT_EQ(options.epcc.mode, Mode::Default);
+    EXPECT_EQ(options.epcc.mode, Mode::InverseDepth);
     EXPECT_EQ(options.epcc.scan, ScanDirection::Both);
     EXPECT_EQ(options.epcc_paper.mode, Mode::Paper);
-    EXPECT_EQ(options.epcc_paper.scan, ScanDirection::Columns);
+    EXPECT_EQ(options.epcc_paper.scan, ScanDirection::Both);  // all that the mode has: columns
     EXPECT_EQ(options.epcc.validate(), "");
     EXPECT_EQ(options.epcc_paper.validate(), "");
     EXPECT_EQ(options.region_growing.validate(), "");
@@ -72,11 +72,11 @@ TEST(Registry, PaperParametersAreTable3) {
     EXPECT_EQ(options->ransac.normal_distance_weight, row.weight);
     EXPECT_EQ(options->ransac.iterations, 100);
     const Parameters& epcc = options->epcc_paper;
-    EXPECT_EQ(epcc.line.minimumSamples(), 8);
-    EXPECT_EQ(epcc.line.k_max, 2.0);
-    EXPECT_EQ(epcc.plane.k_max, row.k_max);
-    EXPECT_EQ(epcc.plane.max_gap, 0.15);
-    EXPECT_EQ(epcc.plane.min_segments, 15);
+    EXPECT_EQ(epcc.paper.expert.lines.minSamples(), 8);
+    EXPECT_EQ(epcc.paper.line_k_max, 2.0);
+    EXPECT_EQ(epcc.paper.plane_k_max, row.k_max);
+    EXPECT_EQ(epcc.paper.max_gap, 0.15);
+    EXPECT_EQ(epcc.paper.min_segments, 15);
   }
   for (const char scene : {'e', 'A', '\0', '`'}) EXPECT_FALSE(paperParameters(scene));
 }

@@ -11,7 +11,7 @@ namespace epcc::bench {
 /// A frame in memory.
 struct BenchFrame {
   LabelledFrame data;
-  SensorModel sensor;
+  SensorModel sensor = *SensorModel::preset("realsense");
 
   DepthFrame view() const { return DepthFrame::fromDepth(data.depth.data.data(), data.camera.camera); }
 };

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "epcc_segmentation/sensor_estimation.h"
 #include "tests/support/rendered_room.h"
 
 namespace {
@@ -21,12 +22,12 @@ using epcc::test::RenderedRoom;
 
 RenderedRoom noisyRoom(unsigned seed = 1, int width = 160, int height = 120) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
-  epcc::test::addNoise(room, SensorModel(), seed);
+  epcc::test::addNoise(room, *SensorModel::preset("d435i"), seed);
   return room;
 }
 
-PlaneSegmentation extract(const DepthFrame& frame, const Parameters& parameters = Parameters::paper(),
-                          const SensorModel& sensor = SensorModel()) {
+PlaneSegmentation extract(const DepthFrame& frame, const Parameters& parameters = Parameters::forPaper(),
+                          const SensorModel& sensor = *SensorModel::preset("d435i")) {
   PlaneExtractor extractor(parameters, sensor);
   PlaneSegmentation result;
   EXPECT_TRUE(extractor.extract(frame, result)) << extractor.error();
@@ -51,7 +52,7 @@ TEST(PlaneExtractor, ExactRoomIsItsThreePlanes) {
   const auto planes = epcc::test::cornerPlanes();
   const auto room = epcc::test::renderRoom(planes, epcc::test::testCamera());
   for (const ScanDirection scan : {ScanDirection::Columns, ScanDirection::Rows}) {
-    Parameters parameters = Parameters::paper();
+    Parameters parameters = Parameters::forPaper();
     parameters.scan = scan;
     const auto result = extract(room.frame(), parameters, *SensorModel::preset("rendered"));
     ASSERT_EQ(result.planes.size(), 3u);
@@ -85,7 +86,7 @@ TEST(PlaneExtractor, TransposingTheImageAndSwappingTheScanTransposesTheLabels) {
     for (int row = 0; row < camera.height; ++row)
       transposed.depth.push_back(room.depth[static_cast<std::size_t>(row * camera.width + column)]);
   for (const bool by_rows : {false, true}) {
-    Parameters parameters = Parameters::paper();
+    Parameters parameters = Parameters::forPaper();
     Parameters swapped = parameters;
     (by_rows ? parameters : swapped).scan = ScanDirection::Rows;
     const auto result = extract(room.frame(), parameters);
@@ -104,12 +105,12 @@ TEST(PlaneExtractor, TransposingTheImageAndSwappingTheScanTransposesTheLabels) {
 
 TEST(PlaneExtractor, ScalingDepthNoiseAndGapTogetherKeepsTheLabels) {
   const auto room = noisyRoom();
-  Parameters parameters = Parameters::paper();
+  Parameters parameters = Parameters::forPaper();
   const auto result = extract(room.frame(), parameters);
   RenderedRoom scaled = room;
   const float s = 4.0f;
   for (float& z : scaled.depth) z *= s;
-  parameters.plane.max_gap *= s;
+  parameters.paper.max_gap *= s;
   // sigma(s z) = s (k1 z^2 + k2 z + k3)
   const auto sensor = SensorModel::polynomial(0.006954 / s, -0.003713, 0.001153 * s, 2.0);
   const auto scaled_result = extract(scaled.frame(), parameters, sensor);
@@ -137,7 +138,7 @@ TEST(PlaneExtractor, TheNumberOfThreadsChangesNothing) {
   const auto room = noisyRoom();
   const auto one = extract(room.frame());
   for (const int threads : {2, 3, 200}) {
-    Parameters parameters = Parameters::paper();
+    Parameters parameters = Parameters::forPaper();
     parameters.threads = threads;
     EXPECT_EQ(extract(room.frame(), parameters).labels, one.labels) << threads;
   }
@@ -174,8 +175,8 @@ TEST(PlaneExtractor, MinPointsDropsSmallPlanes) {
   const auto room = noisyRoom();
   const auto all = extract(room.frame());
   ASSERT_GE(all.planes.size(), 3u);
-  Parameters parameters = Parameters::paper();
-  parameters.plane.min_points = static_cast<int>(all.planes[0].pixel_count);
+  Parameters parameters = Parameters::forPaper();
+  parameters.paper.min_points = static_cast<int>(all.planes[0].pixel_count);
   const auto result = extract(room.frame(), parameters);
   ASSERT_EQ(result.planes.size(), 1u);
   EXPECT_EQ(result.planes[0].pixel_count, all.planes[0].pixel_count);
@@ -211,7 +212,7 @@ TEST(PlaneExtractor, BadInputIsNamedAndClearsTheResult) {
   ASSERT_FALSE(result.planes.empty());
 
   Parameters invalid;
-  invalid.line.k_max = -1.0;
+  invalid.paper.line_k_max = -1.0;
   PlaneExtractor wrong(invalid);
   EXPECT_FALSE(wrong.extract(room.frame(), result));
   EXPECT_NE(wrong.error().find("k_max"), std::string::npos);
@@ -221,6 +222,8 @@ TEST(PlaneExtractor, BadInputIsNamedAndClearsTheResult) {
   PlaneExtractor bad_sensor(Parameters(), SensorModel::axial(-1.0, 0.0));
   EXPECT_FALSE(bad_sensor.extract(room.frame(), result));
   EXPECT_FALSE(bad_sensor.error().empty());
+
+  EXPECT_EQ(wrong.status(), epcc::Status::InvalidParameters);
 
   PlaneExtractor extractor;
   EXPECT_FALSE(extractor.extract(DepthFrame::fromDepth(nullptr, room.camera), result));
@@ -234,6 +237,47 @@ TEST(PlaneExtractor, BadInputIsNamedAndClearsTheResult) {
   const std::vector<float> cloud(300, 1.0f);
   EXPECT_FALSE(by_rows.extract(DepthFrame::fromPoints(cloud.data(), 3, 10, 10, epcc::Projection::Spherical), result));
   EXPECT_NE(by_rows.error().find("spherical"), std::string::npos);
+  EXPECT_EQ(by_rows.status(), epcc::Status::UnsupportedScan);
+}
+
+TEST(PlaneExtractor, MeasuresTheSensorUnlessAModelIsGiven) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(320, 240));
+  const SensorModel truth = SensorModel::axial(0.004, 0.0);
+  epcc::test::addNoise(room, truth, 7);
+  PlaneExtractor extractor;
+  PlaneSegmentation result;
+  for (const epcc::Mode mode : {epcc::Mode::InverseDepth, epcc::Mode::Paper}) {
+    Parameters parameters;
+    parameters.mode = mode;
+    extractor.setParameters(parameters);
+    extractor.setSensorAuto();
+    EXPECT_TRUE(extractor.measuresSensor());
+    ASSERT_TRUE(extractor.extract(room.frame(), result)) << extractor.error();
+    EXPECT_EQ(extractor.sensor().description(), epcc::estimateSensor(room.frame()).model().description());
+    EXPECT_GT(extractor.times().sensor, 0.0);
+    EXPECT_GE(result.planes.size(), 3u);
+  }
+  extractor.setSensor(truth);
+  EXPECT_FALSE(extractor.measuresSensor());
+  ASSERT_TRUE(extractor.extract(room.frame(), result));
+  EXPECT_EQ(extractor.sensor().description(), truth.description());
+}
+
+TEST(PlaneExtractor, ChangesBetweenFramesLeaveNothingBehind) {
+  const auto room = noisyRoom();
+  const SensorModel fine = *SensorModel::preset("d435i");
+  const SensorModel coarse = SensorModel::axial(0.05, 0.0);
+  Parameters rows;
+  rows.scan = ScanDirection::Rows;
+  PlaneExtractor changed(Parameters(), coarse);
+  PlaneSegmentation result;
+  ASSERT_TRUE(changed.extract(room.frame(), result));
+  for (const Parameters& parameters : {rows, Parameters::forPaper(), Parameters()}) {
+    changed.setParameters(parameters);
+    changed.setSensor(fine);
+    ASSERT_TRUE(changed.extract(room.frame(), result));
+    EXPECT_EQ(result.labels, extract(room.frame(), parameters).labels);
+  }
 }
 
 }  // namespace

@@ -41,14 +41,14 @@ TEST(PlaneFit, ExactRoomGivesItsPlanesSortedBySize) {
 TEST(PlaneFit, LabelsWithoutPixelsDisappear) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
   for (auto& label : room.labels) label *= 3;  // ids 3, 6, 9 of nine
-  const auto result = fitted(room, SensorModel(), 9);
+  const auto result = fitted(room, *SensorModel::preset("d435i"), 9);
   EXPECT_EQ(result.planes.size(), 3u);
   EXPECT_EQ(*std::max_element(result.labels.begin(), result.labels.end()), 3);
 }
 
 TEST(PlaneFit, CentroidAndPointCovarianceAreThoseOfThePoints) {
   const auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera(40, 30));
-  const auto result = fitted(room, SensorModel(), 1);
+  const auto result = fitted(room, *SensorModel::preset("d435i"), 1);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero(), p;
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   const auto each = [&](const auto& visit) {

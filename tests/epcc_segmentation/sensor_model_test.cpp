@@ -26,8 +26,8 @@ TEST(SensorModel, AxialFormIsTheQuadraticSum) {
 }
 
 TEST(SensorModel, VarianceIsTheSquareOfSigma) {
-  for (const SensorModel& model : {SensorModel::axial(0.0035, 0.0055), SensorModel(), SensorModel::axial(0.0, 1e-9),
-                                   SensorModel::polynomial(0.0, 0.01, -0.005)})
+  for (const SensorModel& model : {SensorModel::axial(0.0035, 0.0055), *SensorModel::preset("d435i"),
+                                   SensorModel::axial(0.0, 1e-9), SensorModel::polynomial(0.0, 0.01, -0.005)})
     for (const double z : {0.1, 1.0, 2.5, 8.0})
       EXPECT_NEAR(model.varianceZ(z) / (model.sigmaZ(z) * model.sigmaZ(z)), 1.0, 1e-12) << model.description();
 }

@@ -27,14 +27,66 @@ if(NOT headers STREQUAL expected)
   message(FATAL_ERROR "installed headers: ${headers}\nexpected: ${expected}")
 endif()
 
-foreach(component ${components})
-  set(build ${WORK_DIR}/${component})
+# build_and_run(NAME COMPONENT FLAGS RUN [option ...]): an outside program, built with other flags than the library.
+function(build_and_run name component flags run)
+  set(build ${WORK_DIR}/${name})
   run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${build} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG}
-      -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_CXX_FLAGS=${FLAGS}
-      -DCMAKE_PREFIX_PATH=${prefix} -DEPCC_COMPONENT=${component})
+      -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} "-DCMAKE_CXX_FLAGS=${FLAGS} ${flags}"
+      -DCMAKE_PREFIX_PATH=${prefix} -DEPCC_COMPONENT=${component} ${ARGN})
   run(${CMAKE_COMMAND} --build ${build} --config "${CONFIG}")
-  run(${build}/use_${component})
+  if(run)
+    run(${build}/use_${component})
+  endif()
+endfunction()
+
+# What this processor cannot run is built all the same.
+set(has_avx2 FALSE)
+if(EXISTS /proc/cpuinfo)
+  file(READ /proc/cpuinfo cpuinfo)
+  if(cpuinfo MATCHES "[ \t]avx2[ \n]")
+    set(has_avx2 TRUE)
+  endif()
+endif()
+set(variants "plain||TRUE")
+if(CMAKE_HOST_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND variants "native|-march=native|TRUE" "avx2|-mavx2|${has_avx2}")
+endif()
+foreach(variant ${variants})
+  string(REPLACE "|" ";" parts "${variant}")
+  list(GET parts 0 name)
+  list(GET parts 1 flags)
+  list(GET parts 2 run)
+  build_and_run(core_${name} core "${flags}" ${run})
+  if("pcl" IN_LIST components)
+    build_and_run(pcl_${name} pcl "${flags}" ${run})
+    build_and_run(pcl_${name}_headers pcl "${flags}" ${run} -DEPCC_NO_PRECOMPILE=ON)
+  endif()
 endforeach()
+
+# A shared library shows its public functions and no steps inside.
+file(GLOB_RECURSE shared ${prefix}/*/libepcc_core.so)
+if(shared)
+  execute_process(COMMAND nm -D --defined-only -C ${shared} OUTPUT_VARIABLE symbols RESULT_VARIABLE result)
+  if(NOT result EQUAL 0 OR NOT symbols MATCHES "epcc::PlaneExtractor::extract")
+    message(FATAL_ERROR "libepcc_core.so does not show PlaneExtractor::extract")
+  endif()
+  if(symbols MATCHES "InverseDepthPipeline|LineClustering|LineGrowing|MetricPipeline")
+    message(FATAL_ERROR "libepcc_core.so shows ${CMAKE_MATCH_0}")
+  endif()
+endif()
+
+# A version that is not this minor one is refused: before 1.0 each may change the interface.
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/other_version -G ${GENERATOR}
+                        -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${prefix} -DEPCC_COMPONENT=core
+                        -DEPCC_WANTED_VERSION=0.0
+                RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+if(result EQUAL 0)
+  message(FATAL_ERROR "find_package(epcc_segmentation 0.0) succeeded")
+endif()
+
+# As a folder of another project: the libraries alone, and none of this project's strictness.
+run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/../subproject -B ${WORK_DIR}/subproject -G ${GENERATOR}
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DEPCC_SOURCE_DIR=${EPCC_SOURCE_DIR})
 
 # A component that does not exist is refused.
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/unknown -G ${GENERATOR}

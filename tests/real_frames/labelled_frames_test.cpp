@@ -55,13 +55,12 @@ TEST_P(RealFramesTest, LargestSurfacesAreFound) {
 // default mode in both directions realsense 28, 28; kinect 76, 68; abw 245, 232; icl 14, 6; structure 1, 1.
 INSTANTIATE_TEST_SUITE_P(
     Each, RealFramesTest,
-    ::testing::Values(Expected{"realsense", Mode::Paper, 7, 29, 25, 4}, Expected{"kinect", Mode::Paper, 10, 80, 69, 36},
-                      Expected{"abw", Mode::Paper, 15, 266, 198, 95}, Expected{"icl", Mode::Paper, 1, 17, 10, 3},
-                      Expected{"structure", Mode::Paper, 1, 1, 1, 0},
-                      Expected{"realsense", Mode::Default, 7, 29, 27, 27},
-                      Expected{"kinect", Mode::Default, 10, 80, 74, 66},
-                      Expected{"abw", Mode::Default, 15, 266, 241, 228}, Expected{"icl", Mode::Default, 1, 17, 13, 5},
-                      Expected{"structure", Mode::Default, 1, 1, 1, 1}),
+    ::testing::Values(
+        Expected{"realsense", Mode::Paper, 7, 29, 25, 4}, Expected{"kinect", Mode::Paper, 10, 80, 69, 36},
+        Expected{"abw", Mode::Paper, 15, 266, 198, 95}, Expected{"icl", Mode::Paper, 1, 17, 10, 3},
+        Expected{"structure", Mode::Paper, 1, 1, 1, 0}, Expected{"realsense", Mode::InverseDepth, 7, 29, 27, 27},
+        Expected{"kinect", Mode::InverseDepth, 10, 80, 74, 66}, Expected{"abw", Mode::InverseDepth, 15, 266, 241, 228},
+        Expected{"icl", Mode::InverseDepth, 1, 17, 13, 5}, Expected{"structure", Mode::InverseDepth, 1, 1, 1, 1}),
     [](const auto& case_info) {
       return case_info.param.folder + std::string(case_info.param.mode == Mode::Paper ? "Paper" : "Default");
     });

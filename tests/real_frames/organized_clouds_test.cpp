@@ -16,9 +16,7 @@ namespace epcc {
 namespace {
 
 PlaneSegmentation segment(const OrganizedCloud& cloud, Projection projection, Mode mode, const std::string& sensor) {
-  Parameters parameters = test::parametersFor(mode);
-  if (projection == Projection::Spherical) parameters.scan = ScanDirection::Columns;
-  PlaneExtractor extractor(parameters, SensorModel::parse(sensor).value());
+  PlaneExtractor extractor(test::parametersFor(mode), SensorModel::parse(sensor).value());
   PlaneSegmentation result;
   EXPECT_TRUE(
       extractor.extract(DepthFrame::fromPoints(cloud.xyz.data(), 3, cloud.width, cloud.height, projection), result))
@@ -61,7 +59,7 @@ TEST_P(KinectCloudTest, IsReadAndSegmented) {
   EXPECT_EQ(cloud.height, 480);
   EXPECT_EQ(std::set<float>(cloud.label.begin(), cloud.label.end()), GetParam().labels);
   ASSERT_EQ(detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height), Projection::Perspective);
-  for (const Mode mode : {Mode::Paper, Mode::Default})
+  for (const Mode mode : {Mode::Paper, Mode::InverseDepth})
     expectSoundPlanes(segment(cloud, Projection::Perspective, mode, "kinect-v1"), cloud);
 }
 
@@ -131,11 +129,11 @@ TEST_P(SynpebTest, PlanesOfASphericalScanAreFoundByColumns) {
 // Measured when the floors were set: pc_01 18 (paper) and 47 (default), test_100 6 and 9, test_500 35 and 36.
 INSTANTIATE_TEST_SUITE_P(Each, SynpebTest,
                          ::testing::Values(SynpebScan{"pc_01", 500, 60, Mode::Paper, 16},
-                                           SynpebScan{"pc_01", 500, 60, Mode::Default, 45},
+                                           SynpebScan{"pc_01", 500, 60, Mode::InverseDepth, 45},
                                            SynpebScan{"test_100", 100, 12, Mode::Paper, 5},
-                                           SynpebScan{"test_100", 100, 12, Mode::Default, 8},
+                                           SynpebScan{"test_100", 100, 12, Mode::InverseDepth, 8},
                                            SynpebScan{"test_500", 500, 38, Mode::Paper, 33},
-                                           SynpebScan{"test_500", 500, 38, Mode::Default, 34}),
+                                           SynpebScan{"test_500", 500, 38, Mode::InverseDepth, 34}),
                          [](const auto& case_info) {
                            return case_info.param.name +
                                   std::string(case_info.param.mode == Mode::Paper ? "Paper" : "Default");

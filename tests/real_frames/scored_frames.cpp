@@ -33,7 +33,6 @@ void scoreLargestSurface(const OverlapTable& table, FrameScore& score) {
 Parameters parametersFor(Mode mode) {
   Parameters parameters;
   parameters.mode = mode;
-  parameters.scan = mode == Mode::Paper ? ScanDirection::Columns : ScanDirection::Both;
   return parameters;
 }
 

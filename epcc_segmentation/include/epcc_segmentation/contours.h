@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "epcc_segmentation/export.h"
+
 namespace epcc {
 
 /// One border of a region, a closed walk through the region's own pixels.
@@ -29,16 +31,16 @@ struct PixelContour {
 ///
 /// `labels` is row-major, width * height values; the result is empty if it is shorter, or label is 0
 /// or negative. One pass over the image plus the length of the borders.
-std::vector<PixelContour> traceContours(const std::vector<std::int32_t>& labels, int width, int height,
-                                        std::int32_t label);
+EPCC_CORE_EXPORT std::vector<PixelContour> traceContours(const std::vector<std::int32_t>& labels, int width, int height,
+                                                         std::int32_t label);
 
 /// The borders of the labels 1..label_count in one pass over the image: [k] holds those of label k + 1,
 /// as traceContours() gives them. Labels outside 1..label_count are background.
-std::vector<std::vector<PixelContour>> traceAllContours(const std::vector<std::int32_t>& labels, int width, int height,
-                                                        int label_count);
+EPCC_CORE_EXPORT std::vector<std::vector<PixelContour>> traceAllContours(const std::vector<std::int32_t>& labels,
+                                                                         int width, int height, int label_count);
 
 /// Area inside the polygon through the points, in pixels: positive for an outer border, negative for a hole,
 /// zero for one without an inside (a line of pixels).
-double signedArea(const PixelContour& contour);
+EPCC_CORE_EXPORT double signedArea(const PixelContour& contour);
 
 }  // namespace epcc

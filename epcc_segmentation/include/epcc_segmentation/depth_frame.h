@@ -6,8 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <utility>
+
+#include "epcc_segmentation/depth_view.h"
+#include "epcc_segmentation/export.h"
+#include "epcc_segmentation/status.h"
 
 namespace epcc {
 
@@ -21,7 +26,7 @@ struct PinholeCamera {
   double cy = 0.0;
 
   /// Empty if usable, else what is wrong in words.
-  std::string validate() const;
+  EPCC_CORE_EXPORT std::string validate() const;
 };
 
 /// How the pixels of an organized measurement see the world.
@@ -39,11 +44,16 @@ inline bool isPerspective(Projection projection) {
 /// Non-owning view; the data must outlive it. Row-major. Cheap to copy.
 ///
 /// The algorithm works in a *scan frame* in which every scan line is a column: across (x), along the
-/// scan line (y), forward (z). toScan() turns sensor coordinates into it; transposed() gives the view
-/// whose columns are this view's rows (Sec. 7.2 of the paper).
-class DepthFrame {
+/// scan line (y), forward (z). scanPoint() gives a point in it; transposed() gives the view whose columns are this
+/// view's rows (Sec. 7.2 of the paper).
+///
+/// A view that cannot be used (no data, a camera of another size, ...) is empty(): status() and problem() say why.
+class EPCC_CORE_EXPORT DepthFrame {
  public:
-  /// Depth image in metres, camera.width * camera.height values; <= 0, NaN and Inf are invalid.
+  /// Depth image of the camera's size.
+  static DepthFrame fromDepth(const DepthView<float>& depth, const PinholeCamera& camera);
+  static DepthFrame fromDepth(const DepthView<std::uint16_t>& depth, const PinholeCamera& camera);
+  /// Depth image in metres, camera.width * camera.height adjoining values; <= 0, NaN and Inf are invalid.
   static DepthFrame fromDepth(const float* depth, const PinholeCamera& camera);
   /// Organized cloud: x, y, z at `xyz + stride * (row * width + column)`, stride in floats.
   /// Perspective clouds are in the camera frame (x right, y down, z forward; backward ones x right, y up, z back);
@@ -58,11 +68,15 @@ class DepthFrame {
   int width() const { return width_; }
   int height() const { return height_; }
   bool empty() const { return width_ <= 0 || height_ <= 0; }
+  /// Ok, or why the view is empty.
+  Status status() const { return status_; }
+  /// The same in words; empty if there is nothing wrong.
+  std::string problem() const { return problem_; }
   Projection projection() const { return projection_; }
   bool isPinhole() const { return depth_ != nullptr; }
   bool isTransposed() const { return transposed_; }
 
-  /// Index of the pixel in the caller's row-major arrays, also from a transposed view.
+  /// Index of the pixel in row-major arrays of width x height (labels, masks, points), also from a transposed view.
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * row_stride_ + static_cast<std::size_t>(column) * column_stride_;
   }
@@ -71,7 +85,7 @@ class DepthFrame {
   bool scanPoint(int row, int column, Eigen::Vector3d& point) const;
   /// Point in the sensor's own frame, metres. False for an invalid pixel.
   bool point(int row, int column, Eigen::Vector3d& point) const;
-  /// Of a pinhole frame: the depths of a row, 0 for invalid pixels, and the rays' slopes
+  /// Of a pinhole frame (isPinhole()): the depths of a row in metres, 0 for invalid pixels, and the rays' slopes
   /// u = (c - cx)/fx of a column and v = (r - cy)/fy of a row.
   void depthRow(int row, float* depth) const;
   double pinholeAcross(int column) const {
@@ -87,9 +101,33 @@ class DepthFrame {
 
  private:
   DepthFrame() = default;
-  bool sensorPoint(std::size_t index, int row, int column, double& x, double& y, double& z) const;
+  template <typename T>
+  static DepthFrame ofView(const DepthView<T>& depth, const PinholeCamera& camera);
+  void setSize(int width, int height);
+  template <typename T>
+  void readRow(int row, float* depth) const;
+  static DepthFrame unusable(Status status, const char* problem);
+  bool sensorPoint(int row, int column, double& x, double& y, double& z) const;
+  /// Metres, as the image has it: it may be invalid.
+  float depthAt(int row, int column) const {
+    const char* value = depth_ + row * depth_row_stride_ + column * depth_column_stride_;
+    if (depth_is_float_) {
+      float metres;
+      std::memcpy(&metres, value, sizeof metres);
+      return scale_ == 1.0 ? metres : static_cast<float>(metres * scale_);
+    }
+    std::uint16_t units;
+    std::memcpy(&units, value, sizeof units);
+    return static_cast<float>(units * scale_);
+  }
 
-  const float* depth_ = nullptr;
+  Status status_ = Status::EmptyCloud;
+  const char* problem_ = "the frame is empty";
+  const char* depth_ = nullptr;
+  bool depth_is_float_ = true;
+  std::ptrdiff_t depth_row_stride_ = 0;  // bytes, of this view's rows and columns
+  std::ptrdiff_t depth_column_stride_ = 0;
+  double scale_ = 1.0;
   const float* xyz_ = nullptr;
   std::size_t point_stride_ = 0;
   const std::uint8_t* mask_ = nullptr;
@@ -103,10 +141,11 @@ class DepthFrame {
 };
 
 // Inline, for they are called once a pixel.
-inline bool DepthFrame::sensorPoint(std::size_t pixel, int row, int column, double& x, double& y, double& z) const {
+inline bool DepthFrame::sensorPoint(int row, int column, double& x, double& y, double& z) const {
+  const std::size_t pixel = index(row, column);
   if (mask_ != nullptr && mask_[pixel] == 0) return false;
   if (depth_ != nullptr) {
-    z = static_cast<double>(depth_[pixel]);
+    z = static_cast<double>(depthAt(row, column));
     if (!(z > 0.0) || !std::isfinite(z)) return false;
     const int image_row = transposed_ ? column : row;
     const int image_column = transposed_ ? row : column;
@@ -125,7 +164,7 @@ inline bool DepthFrame::sensorPoint(std::size_t pixel, int row, int column, doub
 
 inline bool DepthFrame::scanPoint(int row, int column, Eigen::Vector3d& point) const {
   double x, y, z;
-  if (!sensorPoint(index(row, column), row, column, x, y, z)) return false;
+  if (!sensorPoint(row, column, x, y, z)) return false;
   // Spherical scans: x forward, y left, z up becomes across = right, along = down, forward.
   if (projection_ == Projection::Spherical) {
     const double forward = x;
@@ -144,14 +183,15 @@ inline bool DepthFrame::scanPoint(int row, int column, Eigen::Vector3d& point) c
 
 inline bool DepthFrame::point(int row, int column, Eigen::Vector3d& point) const {
   double x, y, z;
-  if (!sensorPoint(index(row, column), row, column, x, y, z)) return false;
+  if (!sensorPoint(row, column, x, y, z)) return false;
   point = Eigen::Vector3d(x, y, z);
   return true;
 }
 
 /// Finds out what kind of measurement an organized cloud is: along the columns of a perspective one x/z is constant,
 /// along those of a spherical one the azimuth atan2(y, x). A perspective cloud most of whose points have z < 0 looks
-/// backward. Clouds with too few points count as perspective.
-Projection detectProjection(const float* xyz, std::size_t stride, int width, int height);
+/// backward. Clouds with too few points count as perspective. Looks at 64 columns and 64 pairs of points in each at
+/// most.
+EPCC_CORE_EXPORT Projection detectProjection(const float* xyz, std::size_t stride, int width, int height);
 
 }  // namespace epcc

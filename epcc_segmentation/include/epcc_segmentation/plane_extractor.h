@@ -3,51 +3,77 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/export.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/plane_segmentation.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "epcc_segmentation/status.h"
 
 namespace epcc {
 
 /// Wall-clock seconds of the last extraction, by stage.
 struct StageTimes {
-  double read = 0.0;     ///< depth -> inverse depth (default mode)
+  double read = 0.0;     ///< depth -> inverse depth (inverse-depth mode, or where the sensor was measured)
+  double sensor = 0.0;   ///< the sensor measured on the frame, where no model was given
   double lines = 0.0;    ///< scan lines -> line segments (Algorithm 1, S1)
   double planes = 0.0;   ///< line segments -> planes (Algorithm 2, S2)
-  double regions = 0.0;  ///< join, merge, refine, reject (S3 to S7, default mode)
+  double regions = 0.0;  ///< join, merge, refine, reject (S3 to S8, inverse-depth mode)
   double result = 0.0;   ///< labels, least-squares planes
-  double total() const { return read + lines + planes + regions + result; }
+  double total() const { return read + sensor + lines + planes + regions + result; }
 };
 
-/// Segments frames into planes. Keeps its memory between frames; not for use from two threads at once.
-class PlaneExtractor {
+/// Segments frames into planes. Keeps its memory from frame to frame, also when parameters or sensor change; not for
+/// use from two threads at once.
+///
+///     epcc::PlaneExtractor extractor;  // the sensor is measured on the frames
+///     epcc::PlaneSegmentation result;
+///     if (!extractor.extract(frame, result)) std::cerr << extractor.error() << '\n';
+class EPCC_CORE_EXPORT PlaneExtractor {
  public:
-  explicit PlaneExtractor(const Parameters& parameters = Parameters(), const SensorModel& sensor = SensorModel());
+  /// Without a sensor model it is measured, see setSensorAuto().
+  explicit PlaneExtractor(const Parameters& parameters = Parameters(),
+                          const std::optional<SensorModel>& sensor = std::nullopt);
   ~PlaneExtractor();
   PlaneExtractor(PlaneExtractor&&) noexcept;
   PlaneExtractor& operator=(PlaneExtractor&&) noexcept;
 
-  /// Segments one frame. Returns true on success; otherwise the result is empty (all labels 0)
-  /// and error() says why: invalid parameters or sensor model, an empty frame, a row scan of a
-  /// spherical scan. A frame without a single valid pixel is no error: it has no planes.
+  /// For the frames to come. What is out of range shows in extract().
+  void setParameters(const Parameters& parameters);
+  void setSensor(const SensorModel& sensor);
+  /// The sensor model is measured on the frames and settles over a stream of them; then every fourth is measured
+  /// (SensorEstimator). Starts afresh.
+  void setSensorAuto();
+
+  /// Segments one frame. Returns true on success; otherwise the result has no planes (all labels 0, or no labels if
+  /// memory ran out) and status() and error() say why: invalid parameters or sensor model, an unusable frame, a row
+  /// scan of a spherical scan, no memory. A frame without a single valid pixel is no error. Nothing is thrown.
   bool extract(const DepthFrame& frame, PlaneSegmentation& result);
 
+  Status status() const { return status_; }
+  /// What was wrong, in words; empty if nothing was.
   const std::string& error() const { return error_; }
   const StageTimes& times() const { return times_; }
   const Parameters& parameters() const { return parameters_; }
+  /// The model that was given, or that the last frame was segmented with.
   const SensorModel& sensor() const { return sensor_; }
+  bool measuresSensor() const { return measures_sensor_; }
 
  private:
   struct Workspace;
-  void prepare(const DepthFrame& frame, PlaneSegmentation& result);
+  bool fail(Status status, const std::string& error, PlaneSegmentation& result);
+  bool check(const DepthFrame& frame, PlaneSegmentation& result);
   int extractMetric(const DepthFrame& frame, PlaneSegmentation& result);
   int extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result);
+  void measureSensor(const DepthFrame& frame);
 
   Parameters parameters_;
   SensorModel sensor_;
+  bool measures_sensor_;
+  Status status_ = Status::Ok;
   std::string error_;
   StageTimes times_;
   std::unique_ptr<Workspace> workspace_;

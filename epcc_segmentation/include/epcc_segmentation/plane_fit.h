@@ -3,6 +3,7 @@
 #pragma once
 
 #include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/export.h"
 #include "epcc_segmentation/plane_segmentation.h"
 #include "epcc_segmentation/sensor_model.h"
 
@@ -10,6 +11,7 @@ namespace epcc {
 
 /// Fills segmentation.planes from its labels 1..plane_count: orthogonal least squares, each point weighted by
 /// 1 / sigma_z^2. Then sorts planes and labels by pixel count, largest first, and drops labels without pixels.
-void fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count, PlaneSegmentation& segmentation);
+EPCC_CORE_EXPORT void fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count,
+                                PlaneSegmentation& segmentation);
 
 }  // namespace epcc

@@ -8,16 +8,23 @@
 
 namespace epcc {
 
+/// Vectors and matrices of the public structs. Eigen aligns its own to what the compiler's flags allow, and a program
+/// built with -mavx would see another size than the library: these have one layout everywhere.
+using Vector3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
+using Vector4 = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
+using Matrix3 = Eigen::Matrix<double, 3, 3, Eigen::DontAlign>;
+using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
+
 /// One plane, in the sensor's frame and in metres.
 struct Plane {
   /// (a, b, c, d): a x + b y + c z + d = 0, unit normal towards the sensor (d >= 0).
-  Eigen::Vector4d coefficients = Eigen::Vector4d::Zero();
+  Vector4 coefficients = Vector4::Zero();
   /// Covariance of (a, b, c, d) from the fit's residuals and the sensor's correlation length.
-  Eigen::Matrix4d coefficients_covariance = Eigen::Matrix4d::Zero();
+  Matrix4 coefficients_covariance = Matrix4::Zero();
   /// Mean of the plane's points.
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  Vector3 centroid = Vector3::Zero();
   /// Covariance of the plane's points about the centroid, normalised by N.
-  Eigen::Matrix3d points_covariance = Eigen::Matrix3d::Zero();
+  Matrix3 points_covariance = Matrix3::Zero();
   /// Root mean square of the orthogonal distances of the points.
   double rms = 0.0;
   /// Number of pixels.
@@ -32,8 +39,10 @@ struct Plane {
     return point - signedDistance(point) * coefficients.head<3>();
   }
 };
+static_assert(sizeof(Plane) == 34 * sizeof(double) && alignof(Plane) == alignof(double), "one layout for all flags");
 
-/// Labels are row-major: 0 no plane, k the plane planes[k - 1]; planes are sorted by pixel count, largest first.
+/// The result of a segmentation. Labels are row-major: 0 no plane, k the plane planes[k - 1]; planes are sorted by
+/// pixel count, largest first.
 struct PlaneSegmentation {
   int width = 0;
   int height = 0;

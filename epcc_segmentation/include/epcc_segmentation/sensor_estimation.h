@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/export.h"
 #include "epcc_segmentation/sensor_model.h"
 
 namespace epcc {
@@ -32,11 +33,13 @@ struct SensorEstimate {
 /// Fits planes to small blocks of the frame and reads the error off their residuals: its size by depth, corrected for
 /// what the fits absorb of it, and the radius of its blotches. Clutter only enlarges residuals, so low quantiles are
 /// used. A few milliseconds at 640x480.
-SensorEstimate estimateSensor(const DepthFrame& frame);
+EPCC_CORE_EXPORT SensorEstimate estimateSensor(const DepthFrame& frame);
+
+struct InverseDepthImage;  // internal: a frame that has been read
 
 /// The same over a stream of one sensor: the median of a and b, the majority class and its median length over the last
 /// frames, so that the model settles and does not flicker.
-class SensorEstimator {
+class EPCC_CORE_EXPORT SensorEstimator {
  public:
   /// memory: frames that are remembered. interval: once so many are, only every interval-th frame is measured, which
   /// saves time; another sensor counts when more than half of what is remembered is its own. Both at least 1.
@@ -44,9 +47,14 @@ class SensorEstimator {
   /// Measures a frame, if its turn has come, and returns the estimate of the stream. A change of the image size starts
   /// afresh.
   SensorEstimate update(const DepthFrame& frame);
+  /// The same of a frame that has been read; if it is not due, of any image of its size.
+  SensorEstimate update(const InverseDepthImage& image);
+  /// Whether the next frame, of this size in pixels, will be measured.
+  bool isDue(int width, int height) const;
   void reset();
 
  private:
+  SensorEstimate take(const SensorEstimate& latest);
   SensorEstimate summary(SensorEstimate stream) const;
 
   std::size_t memory_;

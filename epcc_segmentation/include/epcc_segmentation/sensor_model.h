@@ -8,20 +8,20 @@
 #include <string>
 #include <vector>
 
+#include "epcc_segmentation/export.h"
+
 namespace epcc {
 
-/// Noise model of a depth sensor.
+/// Noise model of a depth sensor. There is no default one: where none is given, it is measured on the frames
+/// (sensor_estimation.h).
 ///
 /// The error of a depth z (metres along the optical axis; for a spherical scan the range) has the
 /// standard deviation sigma_z(z), in one of two forms:
 ///  - polynomial, Eq. 22 of the paper: sigma_z = k1 z^2 + k2 z + k3;
 ///  - axial: sigma_z^2 = a^2 + (b z^2)^2, a floor plus the growth of a triangulating sensor.
 /// Real depth error comes in blotches: correlationLength() is their Gaussian radius in pixels.
-class SensorModel {
+class EPCC_CORE_EXPORT SensorModel {
  public:
-  /// The paper's sensor, preset "d435i".
-  SensorModel();
-
   /// Eq. 22: sigma_z = k1 z^2 + k2 z + k3, metres (k1 in 1/m, k2 unitless, k3 in m).
   static SensorModel polynomial(double k1, double k2, double k3, double correlation_length = 1.0);
   /// sigma_z^2 = a^2 + (b z^2)^2 with a in metres, b in 1/m.
@@ -55,7 +55,7 @@ class SensorModel {
   /// Radius l of the error's autocorrelation exp(-r^2 / (2 l^2)), in pixels of the given grid.
   double correlationLength() const { return correlation_length_; }
   /// Pixels per independent sample over an area: max(1, 2 pi l^2).
-  double pixelsPerSample() const { return std::fmax(1.0, 2.0 * M_PI * correlation_length_ * correlation_length_); }
+  double pixelsPerSample() const { return std::fmax(1.0, 2.0 * kPi * correlation_length_ * correlation_length_); }
   /// Pixels per independent sample along a line: max(1, 2.5 l).
   double pixelsPerLineSample() const { return std::fmax(1.0, 2.5 * correlation_length_); }
 
@@ -66,6 +66,7 @@ class SensorModel {
 
  private:
   static constexpr double kSmallestSigma = 1e-6;
+  static constexpr double kPi = 3.14159265358979323846;
   SensorModel(bool is_polynomial, double k0, double k1, double k2, double correlation_length)
       : polynomial_(is_polynomial), k_{k0, k1, k2}, correlation_length_(correlation_length) {}
 

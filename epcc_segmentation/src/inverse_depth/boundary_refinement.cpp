@@ -22,8 +22,8 @@ enum class Crease { Unknown, Convex, Concave };
 
 class Refiner {
  public:
-  Refiner(const InverseDepthImage& image, const RefinementParameters& parameters, RegionMap& map)
-      : image_(image), parameters_(parameters), labels_(map.labels), planes_(map.regions.size() + 1) {
+  Refiner(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map)
+      : image_(image), parameters_(parameters.expert.refinement), labels_(map.labels), planes_(map.regions.size() + 1) {
     for (std::size_t k = 0; k < map.regions.size(); ++k) {
       if (map.regions[k].n <= 0.0) continue;
       const RegionPlane plane(map.regions[k]);
@@ -216,7 +216,7 @@ class Refiner {
   }
 
   const InverseDepthImage& image_;
-  const RefinementParameters& parameters_;
+  const InverseDepthParameters::Refinement& parameters_;
   std::vector<std::int32_t>& labels_;
   std::vector<RefinedPlane> planes_;
   RegionPairs<Votes> votes_;
@@ -231,7 +231,7 @@ class Refiner {
 
 }  // namespace
 
-void refineBoundaries(const InverseDepthImage& image, const RefinementParameters& parameters, RegionMap& map) {
+void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map) {
   Refiner(image, parameters, map).run();
 }
 

@@ -8,6 +8,6 @@
 namespace epcc {
 
 /// Refines the labels with the planes of the regions' present moments; the moments are not updated.
-void refineBoundaries(const InverseDepthImage& image, const RefinementParameters& parameters, RegionMap& map);
+void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map);
 
 }  // namespace epcc

@@ -4,11 +4,17 @@
 
 namespace epcc {
 
-DirectionalPlanes::DirectionalPlanes(bool columns, const Parameters& parameters, const SensorModel& sensor)
+DirectionalPlanes::DirectionalPlanes(bool columns, const InverseDepthParameters& parameters, const SensorModel& sensor)
     : columns_(columns),
-      parameters_(parameters.plane_growing),
-      line_growing_(parameters.line_growing),
-      plane_growing_(parameters.plane_growing, sensor) {}
+      parameters_(parameters.expert.planes),
+      line_growing_(parameters),
+      plane_growing_(parameters, sensor) {}
+
+void DirectionalPlanes::configure(const InverseDepthParameters& parameters, const SensorModel& sensor) {
+  parameters_ = parameters.expert.planes;
+  line_growing_.configure(parameters);
+  plane_growing_.configure(parameters, sensor);
+}
 
 void DirectionalPlanes::setActive(bool active) {
   active_ = active;

@@ -16,7 +16,8 @@ namespace epcc {
 /// Planes grown from the columns, or from the rows, of an image. Keeps its memory between frames.
 class DirectionalPlanes {
  public:
-  DirectionalPlanes(bool columns, const Parameters& parameters, const SensorModel& sensor);
+  DirectionalPlanes(bool columns, const InverseDepthParameters& parameters, const SensorModel& sensor);
+  void configure(const InverseDepthParameters& parameters, const SensorModel& sensor);
 
   /// A direction that is not active has no segments and no planes.
   void setActive(bool active);
@@ -34,7 +35,7 @@ class DirectionalPlanes {
  private:
   bool columns_;
   bool active_ = false;
-  PlaneGrowingParameters parameters_;
+  InverseDepthParameters::Planes parameters_;
   LineGrowing line_growing_;
   PlaneGrowing plane_growing_;
   std::vector<GrownLine> lines_;

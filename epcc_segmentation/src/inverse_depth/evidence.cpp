@@ -8,28 +8,29 @@
 
 namespace epcc {
 
-bool isPlane(const PlaneMoments& region, const EvidenceParameters& parameters, const SensorModel& sensor) {
+bool isPlane(const PlaneMoments& region, const InverseDepthParameters& parameters, const SensorModel& sensor) {
+  const InverseDepthParameters::Evidence& evidence = parameters.expert.evidence;
   const double pixels_per_sample = sensor.pixelsPerSample();
-  if (region.n < std::max(static_cast<double>(parameters.min_points), parameters.min_samples * pixels_per_sample))
+  if (region.n < std::max(static_cast<double>(parameters.min_points), evidence.min_samples * pixels_per_sample))
     return false;
   const RegionPlane plane(region);
   const double chi2 = plane.rss / (region.n * plane.slope_factor);
-  if (chi2 > parameters.max_chi2) return false;
-  double needed = parameters.min_evidence * std::max(0.5, chi2);
-  if (chi2 > 1.0) needed = std::max(needed, parameters.rough_evidence);
+  if (chi2 > evidence.max_chi2) return false;
+  double needed = evidence.min_evidence * std::max(0.5, chi2);
+  if (chi2 > 1.0) needed = std::max(needed, evidence.rough_evidence);
   return region.n / pixels_per_sample >= needed;
 }
 
 namespace {
 
-bool isFacet(const Bending& bending, const EvidenceParameters& parameters, double pixels_per_sample) {
-  return bending.curvature * parameters.min_radius > 1.0 && bending.gain > parameters.bending_share * bending.rss &&
-         bending.gain > parameters.bending_evidence * pixels_per_sample;
+bool isFacet(const Bending& bending, const InverseDepthParameters::Evidence& evidence, double pixels_per_sample) {
+  return bending.curvature * evidence.min_radius > 1.0 && bending.gain > evidence.bending_share * bending.rss &&
+         bending.gain > evidence.bending_evidence * pixels_per_sample;
 }
 
 }  // namespace
 
-void rejectRegions(const InverseDepthImage& image, const EvidenceParameters& parameters, const SensorModel& sensor,
+void rejectRegions(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
                    RegionMap& map) {
   const std::size_t count = map.regions.size();
   std::vector<std::uint8_t> plane(count, 0);
@@ -40,7 +41,7 @@ void rejectRegions(const InverseDepthImage& image, const EvidenceParameters& par
   std::vector<std::int32_t> new_label(count + 1, 0);
   for (std::size_t k = 0; k < count; ++k) {
     PlaneMoments& region = map.regions[k];
-    if (plane[k] != 0 && !isFacet(bending[k], parameters, sensor.pixelsPerSample()))
+    if (plane[k] != 0 && !isFacet(bending[k], parameters.expert.evidence, sensor.pixelsPerSample()))
       new_label[k + 1] = static_cast<std::int32_t>(k + 1);
     else
       region = PlaneMoments();

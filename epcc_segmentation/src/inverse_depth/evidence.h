@@ -9,11 +9,11 @@
 namespace epcc {
 
 /// True if the region counts as a plane.
-bool isPlane(const PlaneMoments& region, const EvidenceParameters& parameters, const SensorModel& sensor);
+bool isPlane(const PlaneMoments& region, const InverseDepthParameters& parameters, const SensorModel& sensor);
 
 /// Unlabels the pixels of the regions that do not, and of those that are facets of a curved surface: a quadric explains
 /// most of their residual, and bends tightly.
-void rejectRegions(const InverseDepthImage& image, const EvidenceParameters& parameters, const SensorModel& sensor,
+void rejectRegions(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
                    RegionMap& map);
 
 }  // namespace epcc

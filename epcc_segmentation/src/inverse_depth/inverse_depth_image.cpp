@@ -21,6 +21,28 @@ void transpose(const std::vector<float>& image, int width, int height, std::vect
               image[static_cast<std::size_t>(row) * width + column];
 }
 
+/// Rows or columns without a point have no coordinate of their own: between seen ones it is interpolated, outside it
+/// goes on in their mean step, so that pixelPitch() is that of what was seen.
+void fillUnseen(const std::vector<double>& count, std::vector<double>& coordinate) {
+  const auto seen = [&](std::size_t i) { return count[i] > 0.0; };
+  std::size_t first = 0, last = coordinate.size();
+  while (first < last && !seen(first)) ++first;
+  while (last > first && !seen(last - 1)) --last;
+  if (first == last) return;
+  --last;
+  const double step = last > first ? (coordinate[last] - coordinate[first]) / static_cast<double>(last - first) : 0.0;
+  for (std::size_t i = 0; i < first; ++i) coordinate[i] = coordinate[first] - step * static_cast<double>(first - i);
+  for (std::size_t i = last + 1; i < coordinate.size(); ++i)
+    coordinate[i] = coordinate[last] + step * static_cast<double>(i - last);
+  for (std::size_t before = first, i = first + 1; i <= last; ++i) {
+    if (!seen(i)) continue;
+    const double between = (coordinate[i] - coordinate[before]) / static_cast<double>(i - before);
+    for (std::size_t k = before + 1; k < i; ++k)
+      coordinate[k] = coordinate[before] + between * static_cast<double>(k - before);
+    before = i;
+  }
+}
+
 }  // namespace
 
 void InverseDepthImage::read(const DepthFrame& frame) {
@@ -60,10 +82,9 @@ void InverseDepthImage::readPoints(const DepthFrame& frame) {
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
   std::vector<double> forward_sum(columns, 0.0);
-  std::vector<double> column_count(columns, 0.0);
+  std::vector<double> column_count(columns, 0.0), row_count(rows, 0.0);
   Eigen::Vector3d p;
   for (std::size_t r = 0; r < rows; ++r) {
-    double row_count = 0.0;
     for (std::size_t c = 0; c < columns; ++c) {
       w[r * columns + c] = 0.0f;
       if (!frame.scanPoint(static_cast<int>(r), static_cast<int>(c), p)) continue;
@@ -77,10 +98,9 @@ void InverseDepthImage::readPoints(const DepthFrame& frame) {
       forward_sum[c] += p.z() * inverse;
       along[r] += p.y() * inverse;
       column_count[c] += 1.0;
-      row_count += 1.0;
+      row_count[r] += 1.0;
     }
-    if (row_count > 0.0) along[r] /= row_count;
-    if (!planar_rows) measured_scale[r] = 1.0 / std::sqrt(1.0 + along[r] * along[r]);
+    if (row_count[r] > 0.0) along[r] /= row_count[r];
   }
   for (std::size_t c = 0; c < columns; ++c) {
     const double length = planar_rows ? column_count[c] : std::hypot(across[c], forward_sum[c]);
@@ -88,6 +108,10 @@ void InverseDepthImage::readPoints(const DepthFrame& frame) {
     across[c] /= length;
     if (!planar_rows) forward[c] = forward_sum[c] / length;
   }
+  fillUnseen(row_count, along);
+  if (planar_rows) fillUnseen(column_count, across);
+  if (!planar_rows)
+    for (std::size_t r = 0; r < rows; ++r) measured_scale[r] = 1.0 / std::sqrt(1.0 + along[r] * along[r]);
 }
 
 double InverseDepthImage::placeVariance() const {

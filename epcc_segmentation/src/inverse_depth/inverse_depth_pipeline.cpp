@@ -15,13 +15,20 @@ namespace epcc {
 InverseDepthPipeline::InverseDepthPipeline(const Parameters& parameters, const SensorModel& sensor)
     : parameters_(parameters),
       sensor_(sensor),
-      directions_{DirectionalPlanes(true, parameters, sensor), DirectionalPlanes(false, parameters, sensor)} {}
+      directions_{DirectionalPlanes(true, parameters.inverse_depth, sensor),
+                  DirectionalPlanes(false, parameters.inverse_depth, sensor)} {}
 
-void InverseDepthPipeline::read(const DepthFrame& frame) {
-  image_.read(frame);
-  image_.weigh(sensor_);
+void InverseDepthPipeline::configure(const Parameters& parameters, const SensorModel& sensor) {
+  parameters_ = parameters;
+  sensor_ = sensor;
+  for (DirectionalPlanes& direction : directions_) direction.configure(parameters.inverse_depth, sensor);
+}
+
+void InverseDepthPipeline::begin(InverseDepthImage& image) {
+  image_ = &image;
+  image.weigh(sensor_);
   directions_[0].setActive(parameters_.scan != ScanDirection::Rows);
-  directions_[1].setActive(parameters_.scan != ScanDirection::Columns && image_.planar_rows);
+  directions_[1].setActive(parameters_.scan != ScanDirection::Columns && image.planar_rows);
 }
 
 void InverseDepthPipeline::growLines() {
@@ -35,7 +42,7 @@ void InverseDepthPipeline::growPlanes() {
 // The directions know nothing of each other until S3.
 void InverseDepthPipeline::inEachDirection(void (DirectionalPlanes::*step)(const InverseDepthImage&)) {
   parallelFor(static_cast<int>(directions_.size()), parameters_.threads, [&](int /*thread*/, int begin, int end) {
-    for (int k = begin; k < end; ++k) (directions_[static_cast<std::size_t>(k)].*step)(image_);
+    for (int k = begin; k < end; ++k) (directions_[static_cast<std::size_t>(k)].*step)(*image_);
   });
 }
 
@@ -43,15 +50,15 @@ void InverseDepthPipeline::inEachDirection(void (DirectionalPlanes::*step)(const
 void InverseDepthPipeline::joinDirections() {
   constexpr int kBlock = 32;  // the columns' pixels lie transposed: block by block they stay in the cache
   rankPlanes();
-  map_.labels.resize(image_.w.size());
-  const int blocks = (image_.height + kBlock - 1) / kBlock;
+  map_.labels.resize(image_->w.size());
+  const int blocks = (image_->height + kBlock - 1) / kBlock;
   parallelFor(blocks, parameters_.threads, [&](int /*thread*/, int begin, int end) {
-    for (int row = begin * kBlock; row < std::min(end * kBlock, image_.height); row += kBlock)
-      for (int column = 0; column < image_.width; column += kBlock)
-        joinBlock(row, std::min(row + kBlock, image_.height), column, std::min(column + kBlock, image_.width));
+    for (int row = begin * kBlock; row < std::min(end * kBlock, image_->height); row += kBlock)
+      for (int column = 0; column < image_->width; column += kBlock)
+        joinBlock(row, std::min(row + kBlock, image_->height), column, std::min(column + kBlock, image_->width));
   });
   map_.regions.assign(label_of_rank_.size() - 1, PlaneMoments());
-  map_.accumulate(image_);
+  map_.accumulate(*image_);
 }
 
 // The planes of both directions that are large enough get labels, those of the columns first, and ranks by size,
@@ -85,8 +92,8 @@ void InverseDepthPipeline::rankPlanes() {
 }
 
 void InverseDepthPipeline::joinBlock(int row_begin, int row_end, int column_begin, int column_end) {
-  const auto width = static_cast<std::size_t>(image_.width);
-  const auto height = static_cast<std::size_t>(image_.height);
+  const auto width = static_cast<std::size_t>(image_->width);
+  const auto height = static_cast<std::size_t>(image_->height);
   const std::int32_t* column_segment = directions_[0].segmentOf();
   const std::int32_t* row_segment = directions_[1].segmentOf();
   const std::int32_t* column_rank = rank_of_[0].data();
@@ -102,26 +109,29 @@ void InverseDepthPipeline::joinBlock(int row_begin, int row_end, int column_begi
 }
 
 void InverseDepthPipeline::mergeRegions() {
-  const double blotch = parameters_.merging.bridge_samples * sensor_.pixelsPerLineSample();
-  const int bridge = std::max(parameters_.merging.min_bridge_pixels, static_cast<int>(blotch));
-  epcc::mergeRegions(findContacts(image_, bridge, parameters_.refinement.max_residual, map_), parameters_.merging,
+  const InverseDepthParameters& parameters = parameters_.inverse_depth;
+  const InverseDepthParameters::Merging& merging = parameters.expert.merging;
+  const double blotch = merging.bridge_samples * sensor_.pixelsPerLineSample();
+  const int bridge = std::max(merging.min_bridge_pixels, static_cast<int>(blotch));
+  epcc::mergeRegions(findContacts(*image_, bridge, parameters.expert.refinement.max_residual, map_), parameters,
                      sensor_, map_);
 }
 
 void InverseDepthPipeline::refineBoundaries() {
-  epcc::refineBoundaries(image_, parameters_.refinement, map_);
-  map_.accumulate(image_);
+  epcc::refineBoundaries(*image_, parameters_.inverse_depth, map_);
+  map_.accumulate(*image_);
   mergeRegions();  // S6
 }
 
 void InverseDepthPipeline::rejectClutter() {
-  rejectRegions(image_, parameters_.evidence, sensor_, map_);
+  rejectRegions(*image_, parameters_.inverse_depth, sensor_, map_);
 }
 
 void InverseDepthPipeline::joinOccluded() {
-  const RegionContacts contacts =
-      findOccludedContacts(image_, parameters_.merging.max_occluder, parameters_.refinement.max_residual, map_);
-  epcc::mergeRegions(contacts, parameters_.merging, sensor_, map_);
+  const InverseDepthParameters& parameters = parameters_.inverse_depth;
+  const RegionContacts contacts = findOccludedContacts(*image_, parameters.expert.merging.max_occluder,
+                                                       parameters.expert.refinement.max_residual, map_);
+  epcc::mergeRegions(contacts, parameters, sensor_, map_);
 }
 
 }  // namespace epcc

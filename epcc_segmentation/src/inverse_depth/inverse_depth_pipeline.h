@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The default mode, S1 to S8, with its memory.
+// The inverse-depth mode, S1 to S8, with its memory.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "inverse_depth/directional_planes.h"
@@ -19,15 +18,18 @@ namespace epcc {
 class InverseDepthPipeline {
  public:
   InverseDepthPipeline(const Parameters& parameters, const SensorModel& sensor);
+  /// For the frames to come; the memory is kept.
+  void configure(const Parameters& parameters, const SensorModel& sensor);
 
-  void read(const DepthFrame& frame);  ///< depth -> inverse depth
-  void growLines();                    ///< S1
-  void growPlanes();                   ///< S2
-  void joinDirections();               ///< S3
-  void mergeRegions();                 ///< S4
-  void refineBoundaries();             ///< S5, S6
-  void rejectClutter();                ///< S7
-  void joinOccluded();                 ///< S8
+  /// Takes an image that was read; it must outlive the frame's steps. It is weighed by the sensor model.
+  void begin(InverseDepthImage& image);
+  void growLines();         ///< S1
+  void growPlanes();        ///< S2
+  void joinDirections();    ///< S3
+  void mergeRegions();      ///< S4
+  void refineBoundaries();  ///< S5, S6
+  void rejectClutter();     ///< S7
+  void joinOccluded();      ///< S8
 
   /// Row-major labels, 0 or index into the regions + 1; some regions may be empty. They are the caller's to take away.
   std::vector<std::int32_t>& labels() { return map_.labels; }
@@ -40,7 +42,7 @@ class InverseDepthPipeline {
 
   Parameters parameters_;
   SensorModel sensor_;
-  InverseDepthImage image_;
+  InverseDepthImage* image_ = nullptr;
   std::array<DirectionalPlanes, 2> directions_;       // by columns, by rows
   std::array<std::vector<std::int32_t>, 2> rank_of_;  // per segment + 1: rank of its plane among all planes
   std::vector<std::int32_t> label_of_rank_;

@@ -41,7 +41,7 @@ int LineGrowing::extendActive(int position) {
   std::int32_t* segment_of = segment_of_;
   const int count = count_;
   const int reach = parameters_.max_gap_pixels + 1;
-  const double k2 = parameters_.k_max * parameters_.k_max;
+  const double k2 = k_max_ * k_max_;
   LineSums sums = active_.sums;
   int last = active_.last;
   int i = position;
@@ -76,15 +76,15 @@ void LineGrowing::pushOnBuffer(int position) {
 }
 
 // The last rejected samples start a line of their own if they lie on one.
-bool LineGrowing::startFromBuffer() {
+void LineGrowing::startFromBuffer() {
   LineSums sums;
   for (const int position : buffer_) add(position, sums);
   const double sxx = sums.scaledSxx();
   const double sxw = sums.scaledSxw();
-  if (!(sxx > 1e-12 * sums.one * sums.one)) return false;  // one point over and over is no line
+  if (!(sxx > 1e-12 * sums.one * sums.one)) return;  // one point over and over is no line
   // RSS <= (n - 2) k_max^2, times one * (one Sxx).
-  const double limit = (sums.n - 2.0) * parameters_.k_max * parameters_.k_max;
-  if (sums.scaledSww() * sxx - sxw * sxw > limit * sums.one * sxx) return false;
+  const double limit = (sums.n - 2.0) * k_max_ * k_max_;
+  if (sums.scaledSww() * sxx - sxw * sxw > limit * sums.one * sxx) return;
   emit();
   has_active_ = true;
   ++active_id_;
@@ -93,7 +93,6 @@ bool LineGrowing::startFromBuffer() {
   active_.sums = sums;
   for (const int position : buffer_) segment_of_[position] = active_id_;
   buffer_.clear();
-  return true;
 }
 
 void LineGrowing::emit() {

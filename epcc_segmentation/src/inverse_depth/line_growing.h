@@ -60,7 +60,11 @@ struct GrownLine {
 /// Grows the lines of one scan line.
 class LineGrowing {
  public:
-  explicit LineGrowing(const LineGrowingParameters& parameters) : parameters_(parameters) {}
+  explicit LineGrowing(const InverseDepthParameters& parameters) { configure(parameters); }
+  void configure(const InverseDepthParameters& parameters) {
+    k_max_ = parameters.line_k_max;
+    parameters_ = parameters.expert.lines;
+  }
 
   /// w: `count` inverse depths, 0 = invalid; weight: their 1/sigma_w^2; x: their ray coordinate. Segments are appended
   /// to `lines`; segment_of[i] receives first_id + index of the segment or -1.
@@ -70,11 +74,12 @@ class LineGrowing {
  private:
   int extendActive(int position);
   void pushOnBuffer(int position);
-  bool startFromBuffer();
+  void startFromBuffer();
   void emit();
   void add(int position, LineSums& sums) const;
 
-  LineGrowingParameters parameters_;
+  double k_max_ = 0.0;
+  InverseDepthParameters::Lines parameters_;
   // The scan line.
   int count_ = 0;
   const float* w_ = nullptr;

@@ -18,11 +18,13 @@ PlaneMoments segmentMoments(const ScanLineRays& rays, const LineSums& s) {
   return moments;
 }
 
-PlaneGrowing::PlaneGrowing(const PlaneGrowingParameters& parameters, const SensorModel& sensor)
-    : parameters_(parameters),
-      pixels_per_sample_(sensor.pixelsPerSample()),
-      pixels_per_line_sample_(sensor.pixelsPerLineSample()),
-      correlation_length_(sensor.correlationLength()) {}
+void PlaneGrowing::configure(const InverseDepthParameters& parameters, const SensorModel& sensor) {
+  k_max_ = parameters.plane_k_max;
+  parameters_ = parameters.expert.planes;
+  pixels_per_sample_ = sensor.pixelsPerSample();
+  pixels_per_line_sample_ = sensor.pixelsPerLineSample();
+  correlation_length_ = sensor.correlationLength();
+}
 
 void PlaneGrowing::begin(double pixel_pitch) {
   sample_spread_ = std::pow(correlation_length_ * pixel_pitch, 2);
@@ -36,7 +38,7 @@ void PlaneGrowing::addLine(const ScanLineRays& rays, const GrownLine* lines, std
   const std::size_t begin = plane_of_.size();
   for (std::size_t k = 0; k < count; ++k) {
     const GrownLine& line = lines[k];
-    double best_mismatch = parameters_.k_max * parameters_.k_max;
+    double best_mismatch = k_max_ * k_max_;
     int best = -1;
     for (std::size_t j = 0; j < previous_.size(); ++j) {
       const int overlap = std::min(line.last, previous_[j].last) - std::max(line.first, previous_[j].first) + 1;

@@ -28,7 +28,8 @@ struct ScanLineRays {
 /// S2 as an object that is fed the segments of one scan line at a time, in order.
 class PlaneGrowing {
  public:
-  PlaneGrowing(const PlaneGrowingParameters& parameters, const SensorModel& sensor);
+  PlaneGrowing(const InverseDepthParameters& parameters, const SensorModel& sensor) { configure(parameters, sensor); }
+  void configure(const InverseDepthParameters& parameters, const SensorModel& sensor);
 
   /// Forgets everything; `pixel_pitch` is the mean step of x from pixel to pixel, 1/f.
   void begin(double pixel_pitch);
@@ -41,11 +42,12 @@ class PlaneGrowing {
  private:
   double mismatch(const GrownPlane& plane, const ScanLineRays& rays, const GrownLine& line) const;
 
-  PlaneGrowingParameters parameters_;
-  double pixels_per_sample_;       // L
-  double pixels_per_line_sample_;  // L1
-  double correlation_length_;      // l, pixels
-  double sample_spread_ = 0.0;     // (l / f)^2
+  double k_max_ = 0.0;
+  InverseDepthParameters::Planes parameters_;
+  double pixels_per_sample_ = 1.0;       // L
+  double pixels_per_line_sample_ = 1.0;  // L1
+  double correlation_length_ = 0.0;      // l, pixels
+  double sample_spread_ = 0.0;           // (l / f)^2
   std::vector<GrownLine> previous_;
   std::size_t previous_begin_ = 0;
   std::vector<int> plane_of_;

@@ -36,7 +36,8 @@ struct Candidate {
 
 /// Cost of a merge, <= 1 to merge: RSS increase over what offset and correlation allow.
 double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const RegionPlane& plane_a, const RegionPlane& plane_b,
-                 const Contact& contact, const MergingParameters& parameters, double pixels_per_sample) {
+                 const Contact& contact, const InverseDepthParameters& parameters, double pixels_per_sample) {
+  const InverseDepthParameters::Merging& merging = parameters.expert.merging;
   PlaneMoments merged = a;
   merged += b;
   const RegionPlane plane(merged);
@@ -45,22 +46,22 @@ double mergeCost(const PlaneMoments& a, const PlaneMoments& b, const RegionPlane
   // A step along the common border keeps two surfaces apart, however small one of them is.
   const Eigen::Vector3d difference = plane_a.q - plane_b.q;
   const double step2 = difference.dot(contact.rays * difference) / (contact.count * plane.slope_factor);
-  if (step2 > parameters.max_step * parameters.max_step) return std::numeric_limits<double>::infinity();
+  if (step2 > merging.max_step * merging.max_step) return std::numeric_limits<double>::infinity();
 
   // Two planes that compete for the same pixels all along (a ragged border) differ by the error, not by the scene;
   // unless there is a step, which the error frays too.
-  double offset = parameters.offset_tolerance;
-  if (step2 < parameters.max_ragged_step * parameters.max_ragged_step) {
+  double offset = parameters.region_tolerance;
+  if (step2 < merging.max_ragged_step * merging.max_ragged_step) {
     const double raggedness = contact.count / (4.0 * std::sqrt(smaller));
-    offset *= std::clamp(raggedness / parameters.ragged_border, 1.0, parameters.max_ragged_gain);
+    offset *= std::clamp(raggedness / merging.ragged_border, 1.0, merging.max_ragged_gain);
   }
-  const double tolerance = parameters.fragment_tolerance * pixels_per_sample + offset * offset * smaller;
+  const double tolerance = merging.fragment_tolerance * pixels_per_sample + offset * offset * smaller;
   return (plane.rss - plane_a.rss - plane_b.rss) / (tolerance * plane.slope_factor);
 }
 
 class Merger {
  public:
-  Merger(const MergingParameters& parameters, double pixels_per_sample, RegionMap& map, Neighbours contacts)
+  Merger(const InverseDepthParameters& parameters, double pixels_per_sample, RegionMap& map, Neighbours contacts)
       : parameters_(parameters),
         pixels_per_sample_(pixels_per_sample),
         map_(map),
@@ -101,7 +102,7 @@ class Merger {
   RegionPlane& plane(std::int32_t label) { return planes_[index(label) - 1]; }
 
   void consider(std::int32_t a, std::int32_t b, const Contact& contact) {
-    if (contact.count < parameters_.min_contacts) return;
+    if (contact.count < parameters_.expert.merging.min_contacts) return;
     const double cost = mergeCost(region(a), region(b), plane(a), plane(b), contact, parameters_, pixels_per_sample_);
     if (cost > 1.0) return;
     if (a > b) std::swap(a, b);
@@ -126,7 +127,7 @@ class Merger {
     for (const auto& [neighbour, contact] : contacts_[index(a)]) consider(a, neighbour, contact);
   }
 
-  const MergingParameters& parameters_;
+  const InverseDepthParameters& parameters_;
   double pixels_per_sample_;
   RegionMap& map_;
   std::vector<RegionPlane> planes_;  // of the regions, kept, for many pairs ask for them
@@ -146,12 +147,12 @@ void dropSmallRegions(double fewest_pixels, std::vector<PlaneMoments>& regions, 
 
 }  // namespace
 
-void mergeRegions(const RegionContacts& contacts, const MergingParameters& parameters, const SensorModel& sensor,
+void mergeRegions(const RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
                   RegionMap& map) {
   Merger merger(parameters, sensor.pixelsPerSample(), map, byRegion(contacts, map.regions.size()));
   merger.run();
   std::vector<std::int32_t> new_label = merger.roots();
-  dropSmallRegions(parameters.min_samples * sensor.pixelsPerSample(), map.regions, new_label);
+  dropSmallRegions(parameters.expert.merging.min_samples * sensor.pixelsPerSample(), map.regions, new_label);
   map.relabel(new_label);
 }
 

@@ -10,7 +10,7 @@ namespace epcc {
 
 /// Merges best-first until no two regions in contact are alike, then unlabels the regions with fewer than min_samples
 /// independent samples. Labels and moments of `map` are updated.
-void mergeRegions(const RegionContacts& contacts, const MergingParameters& parameters, const SensorModel& sensor,
+void mergeRegions(const RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
                   RegionMap& map);
 
 }  // namespace epcc

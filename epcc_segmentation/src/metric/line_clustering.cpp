@@ -43,7 +43,7 @@ void LineClustering::add(const ScanSample& sample) {
     return;
   }
   buffer_.push_back(sample);
-  if (static_cast<int>(buffer_.size()) < parameters_.minimumSamples()) return;
+  if (static_cast<int>(buffer_.size()) < parameters_.minSamples()) return;
   if (!findNewSegment() && static_cast<int>(buffer_.size()) >= parameters_.buffer_samples)
     buffer_.erase(buffer_.begin());
 }
@@ -62,13 +62,13 @@ bool LineClustering::accepts(const LinePrototype& prototype, const ScanSample& s
     const double q = prototype.normal.dot(sample.ray);
     variance += sample.sensor_variance * std::max(q * q, parameters_.projection_floor);
   }
-  return d * d <= parameters_.k_max * parameters_.k_max * variance;
+  return d * d <= k_max_ * k_max_ * variance;
 }
 
 // Every start is tried; the first whose line enough later samples agree with wins.
 bool LineClustering::findNewSegment() {
   const auto fit_samples = static_cast<std::size_t>(parameters_.fit_samples);
-  const auto last_start = buffer_.size() - static_cast<std::size_t>(parameters_.minimumSamples());
+  const auto last_start = buffer_.size() - static_cast<std::size_t>(parameters_.minSamples());
   for (std::size_t start = 0; start <= last_start; ++start) {
     LinePrototype candidate;
     for (std::size_t i = start; i < start + fit_samples; ++i) candidate.statistics.add(buffer_[i].t);

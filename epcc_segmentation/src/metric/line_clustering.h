@@ -55,7 +55,11 @@ struct LineSegments {
 /// Algorithm 1 as an object that is fed samples in order; its memory is reused from line to line.
 class LineClustering {
  public:
-  explicit LineClustering(const LineClusteringParameters& parameters) : parameters_(parameters) {}
+  explicit LineClustering(const PaperParameters& parameters) { configure(parameters); }
+  void configure(const PaperParameters& parameters) {
+    k_max_ = parameters.line_k_max;
+    parameters_ = parameters.expert.lines;
+  }
 
   /// Clusters a whole scan line; `result` is cleared first.
   void cluster(const ScanLine& line, LineSegments& result);
@@ -72,7 +76,8 @@ class LineClustering {
   void takeMember(const ScanSample& sample);
   void emitSegment();
 
-  LineClusteringParameters parameters_;
+  double k_max_ = 0.0;
+  PaperParameters::Lines parameters_;
   LineSegments* result_ = nullptr;
   bool has_active_ = false;
   LinePrototype active_;

@@ -7,11 +7,18 @@
 namespace epcc {
 
 MetricPipeline::MetricPipeline(const Parameters& parameters, const SensorModel& sensor)
-    : parameters_(parameters), sensor_(sensor), plane_clustering_(parameters.plane, sensor) {}
+    : parameters_(parameters), sensor_(sensor), plane_clustering_(parameters.paper, sensor) {}
+
+void MetricPipeline::configure(const Parameters& parameters, const SensorModel& sensor) {
+  parameters_ = parameters;
+  sensor_ = sensor;
+  for (LineClustering& clustering : clusterings_) clustering.configure(parameters.paper);
+  plane_clustering_.configure(parameters.paper, sensor);
+}
 
 void MetricPipeline::clusterLines(const DepthFrame& view) {
   scan_lines_.resize(static_cast<std::size_t>(parameters_.threads));
-  clusterings_.resize(static_cast<std::size_t>(parameters_.threads), LineClustering(parameters_.line));
+  clusterings_.resize(static_cast<std::size_t>(parameters_.threads), LineClustering(parameters_.paper));
   line_segments_.resize(static_cast<std::size_t>(view.width()));
   parallelFor(view.width(), parameters_.threads, [&](int thread, int begin, int end) {
     ScanLine& line = scan_lines_[static_cast<std::size_t>(thread)];
@@ -36,7 +43,7 @@ int MetricPipeline::labelPixels(const DepthFrame& view, std::vector<std::int32_t
   std::vector<std::int32_t> label_of(points.size(), 0);
   std::int32_t count = 0;
   for (std::size_t plane = 0; plane < points.size(); ++plane)
-    if (points[plane] > 0 && points[plane] >= parameters_.plane.min_points) label_of[plane] = ++count;
+    if (points[plane] > 0 && points[plane] >= parameters_.paper.min_points) label_of[plane] = ++count;
   forEachLabelled([&](std::size_t plane, int column, const LineSegments& line, const LineSegment& segment) {
     for (int i = segment.member_begin; i < segment.member_end; ++i)
       labels[view.index(line.members[static_cast<std::size_t>(i)], column)] = label_of[plane];

@@ -17,6 +17,8 @@ namespace epcc {
 class MetricPipeline {
  public:
   MetricPipeline(const Parameters& parameters, const SensorModel& sensor);
+  /// For the frames to come; the memory is kept.
+  void configure(const Parameters& parameters, const SensorModel& sensor);
 
   void clusterLines(const DepthFrame& view);   ///< Algorithm 1
   void clusterPlanes(const DepthFrame& view);  ///< Algorithm 2

@@ -31,9 +31,6 @@ void PlanePrototype::refit() {
   variance = varianceAlong(statistics.covariance, normal);
 }
 
-PlaneClustering::PlaneClustering(const PlaneClusteringParameters& parameters, const SensorModel& sensor)
-    : parameters_(parameters), sensor_(sensor) {}
-
 void PlaneClustering::begin(Projection projection) {
   projection_ = projection;
   segments_.clear();
@@ -103,8 +100,8 @@ double PlaneClustering::cost(const PlanePrototype& plane, const Segment& segment
 
 // Labelled segments of the nearest earlier scan line that has one that fits; the best cost wins.
 int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
-  const double limit = parameters_.k_max * parameters_.k_max;
-  const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.look_back));
+  const double limit = parameters_.plane_k_max * parameters_.plane_k_max;
+  const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.expert.planes.look_back));
   for (std::size_t back = 1; back <= look_back; ++back) {
     const Line& previous = lines_[line - back];
     double best_cost = limit;
@@ -126,10 +123,10 @@ int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
 
 // The unlabelled earlier segment that is most nearly coplanar with this one.
 std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t line) const {
-  const double smallest_cosine = std::cos(parameters_.max_start_angle * M_PI / 180.0);
+  const double smallest_cosine = std::cos(parameters_.expert.planes.max_start_angle * M_PI / 180.0);
   const Eigen::Vector3d direction = (segment.b - segment.a).normalized();
-  const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.pair_look_back));
-  double best_ratio = 0.25 * parameters_.k_max * parameters_.k_max;
+  const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.expert.planes.pair_look_back));
+  double best_ratio = 0.25 * parameters_.plane_k_max * parameters_.plane_k_max;
   std::size_t best = kNone;
   for (std::size_t back = 1; back <= look_back; ++back) {
     const Line& previous = lines_[line - back];

@@ -34,7 +34,12 @@ class PlaneClustering {
  public:
   static constexpr int kUnlabelled = -1;
 
-  PlaneClustering(const PlaneClusteringParameters& parameters, const SensorModel& sensor);
+  PlaneClustering(const PaperParameters& parameters, const SensorModel& sensor)
+      : parameters_(parameters), sensor_(sensor) {}
+  void configure(const PaperParameters& parameters, const SensorModel& sensor) {
+    parameters_ = parameters;
+    sensor_ = sensor;
+  }
 
   /// Forgets everything; `projection` is that of the lines to come.
   void begin(Projection projection);
@@ -66,7 +71,7 @@ class PlaneClustering {
   void addToPlane(int plane, const Segment& segment);
   void startPlane(std::size_t first, std::size_t second);
 
-  PlaneClusteringParameters parameters_;
+  PaperParameters parameters_;
   SensorModel sensor_;
   Projection projection_ = Projection::Perspective;
   std::vector<Segment> segments_;

@@ -9,6 +9,7 @@
 
 #include "sensor/depth_bins.h"
 #include "sensor/fitted_blotches.h"
+#include "sensor/image_estimation.h"
 
 namespace epcc {
 
@@ -84,12 +85,16 @@ void fitSigma(const std::vector<DepthBin>& bins, const std::vector<double>& log_
 }  // namespace
 
 SensorEstimate estimateSensor(const DepthFrame& frame) {
-  SensorEstimate estimate;
-  const double longer_side = std::max(frame.width(), frame.height());
-  estimate.correlation_length = std::min(6.0, longer_side / 100.0);
-  if (frame.empty()) return estimate;
   InverseDepthImage image;
-  image.read(frame);
+  if (!frame.empty()) image.read(frame);
+  return estimateSensor(image);
+}
+
+SensorEstimate estimateSensor(const InverseDepthImage& image) {
+  SensorEstimate estimate;
+  const double longer_side = std::max(image.width, image.height);
+  estimate.correlation_length = std::min(6.0, longer_side / 100.0);
+  if (image.width <= 0 || image.height <= 0) return estimate;
 
   int size = longer_side < 400 ? 16 : 32;
   auto bins = measureDepthBins(image, size);

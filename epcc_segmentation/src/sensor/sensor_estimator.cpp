@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "epcc_segmentation/sensor_estimation.h"
+#include "sensor/image_estimation.h"
 #include "sensor/quantile.h"
 
 namespace epcc {
@@ -18,13 +19,29 @@ void SensorEstimator::reset() {
   skipped_ = 0;
 }
 
+bool SensorEstimator::isDue(int width, int height) const {
+  if (width != width_ || height != height_) return true;
+  return estimates_.size() < memory_ || skipped_ + 1 >= interval_;
+}
+
 SensorEstimate SensorEstimator::update(const DepthFrame& frame) {
-  if (frame.width() != width_ || frame.height() != height_) reset();
-  width_ = frame.width();
-  height_ = frame.height();
-  if (estimates_.size() == memory_ && ++skipped_ < interval_) return stream_;
-  skipped_ = 0;
-  const SensorEstimate latest = estimateSensor(frame);
+  InverseDepthImage image;
+  image.width = frame.width();
+  image.height = frame.height();
+  if (isDue(frame.width(), frame.height())) image.read(frame);
+  return update(image);
+}
+
+SensorEstimate SensorEstimator::update(const InverseDepthImage& image) {
+  const bool due = isDue(image.width, image.height);
+  if (image.width != width_ || image.height != height_) reset();
+  width_ = image.width;
+  height_ = image.height;
+  skipped_ = due ? 0 : skipped_ + 1;
+  return due ? take(estimateSensor(image)) : stream_;
+}
+
+SensorEstimate SensorEstimator::take(const SensorEstimate& latest) {
   if (latest.blocks > 0) {
     if (estimates_.size() < memory_)
       estimates_.push_back(latest);

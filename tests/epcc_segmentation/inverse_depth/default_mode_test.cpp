@@ -45,10 +45,10 @@ double agreement(const RenderedRoom& room, const PlaneSegmentation& result) {
 }
 
 TEST(DefaultMode, IsTheDefault) {
-  EXPECT_EQ(Parameters().mode, epcc::Mode::Default);
+  EXPECT_EQ(Parameters().mode, epcc::Mode::InverseDepth);
   EXPECT_EQ(Parameters().scan, ScanDirection::Both);
-  EXPECT_EQ(Parameters::paper().mode, epcc::Mode::Paper);
-  EXPECT_EQ(Parameters::paper().scan, ScanDirection::Columns);
+  EXPECT_EQ(Parameters::forPaper().mode, epcc::Mode::Paper);
+  EXPECT_EQ(Parameters::forPaper().scan, ScanDirection::Both);  // all that the mode has: columns
 }
 
 TEST(DefaultMode, ANoisyRoomIsExactlyItsThreePlanesInEveryScan) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps S1, S2 and S5 of the default mode and the moments, one by one.
+// The steps S1, S2 and S5 of the inverse-depth mode and the moments, one by one.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -46,8 +46,36 @@ TEST(InverseDepthImage, HoldsTheInverseDepthsTheRaysAndTheTranspose) {
     }
 }
 
+// A rectangle of a cloud, or one with empty rows and columns: its pixels are as wide as those of the whole cloud.
+TEST(InverseDepthImage, RowsAndColumnsWithoutPointsDoNotChangeThePitch) {
+  const auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(60, 50));
+  std::vector<float> xyz;
+  Eigen::Vector3d p;
+  for (int row = 0; row < 50; ++row)
+    for (int column = 0; column < 60; ++column) {
+      ASSERT_TRUE(room.frame().point(row, column, p));
+      for (int k = 0; k < 3; ++k) xyz.push_back(static_cast<float>(p(k)));
+    }
+  const auto whole = epcc::DepthFrame::fromPoints(xyz.data(), 3, 60, 50, epcc::Projection::Perspective);
+  InverseDepthImage expected;
+  expected.read(whole);
+  const auto inside = [](int row, int column) {
+    return row >= 20 && row < 30 && row != 25 && column >= 24 && column < 36 && column != 27 && column != 28;
+  };
+  std::vector<std::uint8_t> mask;
+  for (int row = 0; row < 50; ++row)
+    for (int column = 0; column < 60; ++column) mask.push_back(inside(row, column));
+  InverseDepthImage masked;
+  masked.read(whole.masked(mask.data()));
+  EXPECT_NEAR(epcc::pixelPitch(masked.along), epcc::pixelPitch(expected.along), 1e-7);
+  EXPECT_NEAR(epcc::pixelPitch(masked.across), epcc::pixelPitch(expected.across), 1e-7);
+  EXPECT_NEAR(masked.placeVariance(), expected.placeVariance(), 1e-6 * expected.placeVariance());
+  for (std::size_t i = 0; i < 60; ++i) EXPECT_NEAR(masked.across[i], expected.across[i], 1e-6) << i;
+  for (std::size_t i = 0; i < 50; ++i) EXPECT_NEAR(masked.along[i], expected.along[i], 1e-6) << i;
+}
+
 TEST(InverseDepthImage, NoiseIsSigmaZOverZSquared) {
-  for (const auto& sensor : {SensorModel::axial(0.003, 0.002), SensorModel()}) {
+  for (const auto& sensor : {SensorModel::axial(0.003, 0.002), *SensorModel::preset("d435i")}) {
     const auto noise = epcc::InverseDepthNoise::of(sensor);
     for (const double z : {0.4, 1.0, 3.0, 8.0})
       EXPECT_NEAR(std::sqrt(noise.variance(1.0 / z)), sensor.sigmaInverseDepth(z), 1e-12);
@@ -152,7 +180,7 @@ Grown grow(const std::vector<float>& w, double sigma_w) {
   const std::vector<float> weight(w.size(), static_cast<float>(1.0 / (sigma_w * sigma_w)));
   Grown grown;
   grown.segment_of.resize(w.size());
-  epcc::LineGrowing growing{epcc::LineGrowingParameters()};
+  epcc::LineGrowing growing{epcc::InverseDepthParameters()};
   growing.grow(w.data(), weight.data(), x.data(), static_cast<int>(w.size()), 7, grown.lines, grown.segment_of.data());
   return grown;
 }
@@ -217,7 +245,7 @@ GrownLine lineOf(double w, int first, int last, double sigma_w) {
 }
 
 std::vector<int> planesOf(const std::vector<std::vector<GrownLine>>& scan_lines) {
-  epcc::PlaneGrowing growing(epcc::PlaneGrowingParameters(), kWhite);
+  epcc::PlaneGrowing growing(epcc::InverseDepthParameters(), kWhite);
   growing.begin(0.005);
   for (std::size_t i = 0; i < scan_lines.size(); ++i)
     growing.addLine({{0.005 * static_cast<double>(i), 0.0, 1.0}, Eigen::Vector3d::UnitY()}, scan_lines[i].data(),
@@ -258,7 +286,7 @@ TEST(BoundaryRefinement, AShiftedCornerMovesBackAndHolesAreFilled) {
   const long before = wrong(labels);
   auto map = regionsOf(image, room.labels, 3);  // the planes are known, the borders are not
   map.labels = labels;
-  epcc::refineBoundaries(image, epcc::RefinementParameters(), map);
+  epcc::refineBoundaries(image, epcc::InverseDepthParameters(), map);
   EXPECT_GT(before, 1500);
   EXPECT_LT(wrong(map.labels), before / 20);
 }
@@ -270,7 +298,7 @@ TEST(BoundaryRefinement, NothingIsLabelledBeyondTheResidual) {
   auto labels = room.labels;
   for (int column = 20; column < 30; ++column) labels[static_cast<std::size_t>(20 * 60 + column)] = 0;
   auto map = regionsOf(image, labels, 1);
-  epcc::refineBoundaries(image, epcc::RefinementParameters(), map);
+  epcc::refineBoundaries(image, epcc::InverseDepthParameters(), map);
   EXPECT_EQ(map.labels, labels);
 }
 

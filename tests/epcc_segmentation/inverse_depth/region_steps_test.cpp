@@ -35,7 +35,7 @@ std::vector<std::int32_t> strips(const epcc::PinholeCamera& camera, int strip) {
 }
 
 void merge(const InverseDepthImage& image, const SensorModel& sensor, RegionMap& map) {
-  epcc::mergeRegions(epcc::findContacts(image, 25, 3.0, map), epcc::MergingParameters(), sensor, map);
+  epcc::mergeRegions(epcc::findContacts(image, 25, 3.0, map), epcc::InverseDepthParameters(), sensor, map);
 }
 
 TEST(RegionMerging, PiecesOfOneWallBecomeOne) {
@@ -119,7 +119,7 @@ PlaneMoments flatRegion(int pixels, double residual_sigma) {
 }
 
 TEST(Evidence, SizeRoughnessAndIndependentSamplesDecide) {
-  const epcc::EvidenceParameters parameters;
+  const epcc::InverseDepthParameters parameters;
   const SensorModel blotchy = SensorModel::axial(0.002, 0.0, 4.0);  // 100 pixels a sample
   EXPECT_TRUE(epcc::isPlane(flatRegion(100, 0.5), parameters, kWhite));
   EXPECT_FALSE(epcc::isPlane(flatRegion(59, 0.5), parameters, kWhite));
@@ -186,7 +186,7 @@ TEST(Evidence, FacetsOfRoundThingsAreNoPlanesBoxesAndSlowBendsAre) {
     epcc::test::addNoise(room, sensor, 7);
     const auto image = imageOf(room, sensor);
     auto map = regionsOf(image, room.labels, 1);
-    epcc::rejectRegions(image, epcc::EvidenceParameters(), sensor, map);
+    epcc::rejectRegions(image, epcc::InverseDepthParameters(), sensor, map);
     return map.regions[0].n > 0.0;
   };
   EXPECT_FALSE(isKept(roundThing(0.3, true, 100.0, 100.0)));
@@ -247,7 +247,7 @@ TEST(OccludedContacts, TwoPartsOfAWallBecomeOne) {
   epcc::test::addNoise(room, kWhite, 8);
   const auto image = imageOf(room);
   auto map = regionsOf(image, room.labels, 2);
-  epcc::mergeRegions(epcc::findOccludedContacts(image, 0.5, 3.0, map), epcc::MergingParameters(), kWhite, map);
+  epcc::mergeRegions(epcc::findOccludedContacts(image, 0.5, 3.0, map), epcc::InverseDepthParameters(), kWhite, map);
   EXPECT_EQ(map.regions[0].n, 140.0 * 120.0);
   EXPECT_EQ(map.regions[1].n, 0.0);
 }

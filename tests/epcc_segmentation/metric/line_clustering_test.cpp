@@ -9,8 +9,8 @@
 
 namespace {
 
-using epcc::LineClusteringParameters;
 using epcc::LineSegments;
+using epcc::PaperParameters;
 using epcc::ScanLine;
 using epcc::SensorModel;
 
@@ -33,7 +33,7 @@ ScanLine profile(const std::function<double(int)>& z, const SensorModel& sensor)
   return line;
 }
 
-LineSegments cluster(const ScanLine& line, const LineClusteringParameters& parameters = {}) {
+LineSegments cluster(const ScanLine& line, const PaperParameters& parameters = {}) {
   epcc::LineClustering clustering(parameters);
   LineSegments result;
   clustering.cluster(line, result);
@@ -123,8 +123,8 @@ TEST(LineClustering, WithoutTheNoiseModelNoisyDataLosesCoverage) {  // Figs. 12,
   std::mt19937 generator(3);
   std::normal_distribution<double> normal(0.0, 0.002);
   const ScanLine line = profile([&](int) { return 2.0 + normal(generator); }, kSensor);
-  LineClusteringParameters without;
-  without.use_sensor_noise = false;
+  PaperParameters without;
+  without.expert.lines.use_sensor_noise = false;
   EXPECT_LT(cluster(line, without).members.size(), cluster(line).members.size());
 }
 
@@ -151,7 +151,7 @@ TEST(LineClustering, SegmentsKeepTheOrderOfTheScanAndNeverShareAPixel) {
 TEST(LineClustering, FeedingSampleBySampleGivesTheSameSegments) {
   const ScanLine line = profile([](int row) { return row < 80 ? 2.0 : 2.0 + 0.01 * row; }, kSensor);
   const auto whole = cluster(line);
-  epcc::LineClustering clustering{LineClusteringParameters()};
+  epcc::LineClustering clustering{PaperParameters()};
   LineSegments stream;
   clustering.begin(stream);
   for (const auto& sample : line.samples) clustering.add(sample);

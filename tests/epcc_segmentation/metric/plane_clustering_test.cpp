@@ -7,8 +7,8 @@
 namespace {
 
 using epcc::LineSegment;
+using epcc::PaperParameters;
 using epcc::PlaneClustering;
-using epcc::PlaneClusteringParameters;
 using epcc::PlaneCriterion;
 using epcc::Projection;
 using epcc::SensorModel;
@@ -29,7 +29,7 @@ class PlaneClusteringTest : public ::testing::Test {
     clustering.begin(Projection::Perspective);
     return clustering;
   }
-  PlaneClusteringParameters parameters_;
+  PaperParameters parameters_;
 };
 
 TEST_F(PlaneClusteringTest, CoplanarSegmentsBecomeOnePlane) {

@@ -280,12 +280,11 @@ TEST(BadInput, InvalidParameters) {
       [&](Segmentation& s) { s.setLineKMax(0.0); },
       [&](Segmentation& s) { s.setLineKMax(nan); },
       [&](Segmentation& s) { s.setPlaneKMax(-1.0); },
-      [&](Segmentation& s) { s.setMaxGap(-0.1); },
-      [&](Segmentation& s) { s.setMaxGap(nan); },
-      [&](Segmentation& s) { s.setMinSegments(0); },
+      [&](Segmentation& s) { s.setRegionTolerance(-0.1); },
+      [&](Segmentation& s) { s.paper().max_gap = nan; },
+      [&](Segmentation& s) { s.paper().min_segments = 0; },
       [&](Segmentation& s) { s.setMinInliers(std::numeric_limits<unsigned>::max()); },
-      [&](Segmentation& s) { s.setAngularThreshold(0.0); },
-      [&](Segmentation& s) { s.setAngularThreshold(nan); },
+      [&](Segmentation& s) { s.paper().expert.planes.max_start_angle = 0.0; },
       [&](Segmentation& s) { s.setThreads(0); },
       [&](Segmentation& s) { s.setSensorModel(SensorModel::axial(nan, 0.001)); },
   };
@@ -308,15 +307,17 @@ TEST(BadInput, RowScanOfSphericalScan) {
   expectStatus(segmentation, Status::UnsupportedScan);
 }
 
-TEST(BadInput, ScanInBothDirections) {
+TEST(BadInput, BothDirectionsMeansThoseThatThereAre) {
   Segmentation segmentation = withScene();
-  segmentation.setMode(Mode::Paper);
   segmentation.setScanDirection(ScanDirection::Both);
-  expectStatus(segmentation, Status::InvalidParameters);
-  segmentation.setMode(Mode::Default);
   std::vector<pcl::PointIndices> clusters;
-  segmentation.extract(clusters);
-  EXPECT_EQ(clusters.size(), 2u);
+  // All directions that a mode has: the paper's are the columns.
+  for (const Mode mode : {Mode::Paper, Mode::InverseDepth}) {
+    segmentation.setMode(mode);
+    segmentation.extract(clusters);
+    EXPECT_EQ(segmentation.getStatus(), Status::Ok);
+    EXPECT_EQ(clusters.size(), 2u);
+  }
   // A spherical scan has planar columns only: both directions means its columns.
   segmentation.setInputCloud(renderLidar<Xyz>(roomCorner()));
   segmentation.extract(clusters);
@@ -326,9 +327,9 @@ TEST(BadInput, ScanInBothDirections) {
 
 TEST(BadInput, IsForgottenOnceRepaired) {
   Segmentation segmentation = withScene();
-  segmentation.setMaxGap(-1.0);
+  segmentation.setRegionTolerance(-1.0);
   expectStatus(segmentation, Status::InvalidParameters);
-  segmentation.setMaxGap(0.15);
+  segmentation.setRegionTolerance(1.5);
   std::vector<pcl::PointIndices> clusters;
   segmentation.extract(clusters);
   EXPECT_EQ(segmentation.getStatus(), Status::Ok);

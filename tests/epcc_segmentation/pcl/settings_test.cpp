@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <utility>
+
 #include "tests/epcc_segmentation/pcl/segmentation_output.h"
 
 namespace epcc {
@@ -63,7 +66,7 @@ TEST(EPCCSegmentation, MinInliersDropsSmallPlanes) {
 }
 
 TEST(EPCCSegmentation, BothModesFindThePlanesAndObeyMinInliers) {
-  for (const Mode mode : {Mode::Paper, Mode::Default}) {
+  for (const Mode mode : {Mode::Paper, Mode::InverseDepth}) {
     SCOPED_TRACE(mode == Mode::Paper ? "paper" : "default");
     Segmentation segmentation;
     segmentation.setInputCloud(renderCamera<Xyz>(wallAndFloor()));
@@ -87,7 +90,7 @@ TEST(EPCCSegmentation, SettingsReachTheAlgorithm) {
   segmentation.setInputCloud(renderCamera<Xyz>(wallAndFloor()));
   std::vector<pcl::PointIndices> clusters;
   segmentation.setMode(Mode::Paper);
-  segmentation.setMinSegments(161);  // more than there are columns
+  segmentation.paper().min_segments = 161;  // more than there are columns
   segmentation.extract(clusters);
   EXPECT_EQ(segmentation.getStatus(), Segmentation::Status::Ok);
   EXPECT_TRUE(clusters.empty());
@@ -104,34 +107,109 @@ TEST(EPCCSegmentation, GettersReturnWhatWasSet) {
   EXPECT_EQ(s.getLineKMax(), 2.5);
   s.setPlaneKMax(3.5);
   EXPECT_EQ(s.getPlaneKMax(), 3.5);
-  s.setMaxGap(0.2);
-  EXPECT_EQ(s.getMaxGap(), 0.2);
+  s.setRegionTolerance(1.25);
+  EXPECT_EQ(s.getRegionTolerance(), 1.25);
   s.setMinInliers(123);
   EXPECT_EQ(s.getMinInliers(), 123u);
-  s.setMinSegments(4);
-  EXPECT_EQ(s.getMinSegments(), 4);
-  s.setPlaneCriterion(PlaneCriterion::Prototype);
-  EXPECT_EQ(s.getPlaneCriterion(), PlaneCriterion::Prototype);
   s.setThreads(2);
   EXPECT_EQ(s.getThreads(), 2);
   s.setProjection(Projection::Spherical);
   EXPECT_EQ(s.getProjection(), Projection::Spherical);
-  s.setAngularThreshold(0.5);
-  EXPECT_NEAR(s.getAngularThreshold(), 0.5, 1e-12);
-  EXPECT_NEAR(s.getParameters().plane.max_start_angle, 28.64788975654116, 1e-9);
-  s.setDistanceThreshold(0.03);
-  EXPECT_EQ(s.getDistanceThreshold(), 0.03);
-  s.setMaximumCurvature(0.002);
-  EXPECT_EQ(s.getMaximumCurvature(), 0.002);
   s.setProjectPoints(true);
   EXPECT_TRUE(s.getProjectPoints());
+  s.paper().max_gap = 0.2;
 
-  EXPECT_EQ(s.getParameters().line.k_max, 2.5);
-  EXPECT_EQ(s.getParameters().plane.k_max, 3.5);
-  EXPECT_EQ(s.getParameters().plane.max_gap, 0.2);
-  EXPECT_EQ(s.getParameters().plane.min_points, 123);
-  EXPECT_EQ(s.getParameters().plane.min_segments, 4);
-  EXPECT_EQ(s.getParameters().plane.criterion, PlaneCriterion::Prototype);
+  EXPECT_EQ(s.getParameters().inverse_depth.line_k_max, 2.5);
+  EXPECT_EQ(s.getParameters().inverse_depth.plane_k_max, 3.5);
+  EXPECT_EQ(s.getParameters().inverse_depth.region_tolerance, 1.25);
+  EXPECT_EQ(s.getParameters().inverse_depth.min_points, 123);
+  EXPECT_EQ(s.getParameters().paper.min_points, 123);
+  EXPECT_EQ(s.getParameters().paper.max_gap, 0.2);
+}
+
+TEST(EPCCSegmentation, CallsWithoutEffectSaySoOnce) {
+  Segmentation s;
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers, boundaries;
+  Segmentation::PointCloudLPtr labels;
+  const std::pair<const char*, std::function<void()>> calls[] = {
+      {"setAngularThreshold", [&] { s.setAngularThreshold(0.5); }},
+      {"setDistanceThreshold", [&] { s.setDistanceThreshold(0.03); }},
+      {"setMaximumCurvature", [&] { s.setMaximumCurvature(0.002); }},
+      {"setInputNormals", [&] { s.setInputNormals(pcl::PointCloud<pcl::Normal>::Ptr()); }},
+      {"setComparator", [&] { s.setComparator(pcl::shared_ptr<int>()); }},
+      {"setRefinementComparator", [&] { s.setRefinementComparator(pcl::shared_ptr<int>()); }},
+      {"refine", [&] { s.refine(models, inliers, labels, boundaries); }},
+  };
+  for (const auto& [name, call] : calls) {
+    ::testing::internal::CaptureStderr();
+    call();
+    const std::string first = ::testing::internal::GetCapturedStderr();
+    EXPECT_NE(first.find(std::string("[epcc::EPCCSegmentation::") + name + "] has no effect: "), std::string::npos)
+        << first;
+    ::testing::internal::CaptureStderr();
+    call();
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << name;
+  }
+  EXPECT_EQ(s.getAngularThreshold(), 0.5);
+  EXPECT_EQ(s.getDistanceThreshold(), 0.03);
+  EXPECT_EQ(s.getMaximumCurvature(), 0.002);
+}
+
+TEST(EPCCSegmentation, SettersOfTheOtherModeSaySoOnce) {
+  Segmentation s;
+  s.setInputCloud(renderCamera<Xyz>(wallAndFloor()));
+  s.setMode(Mode::Paper);
+  s.setLineKMax(2.5);
+  std::vector<pcl::PointIndices> clusters;
+  ::testing::internal::CaptureStderr();
+  s.extract(clusters);
+  EXPECT_NE(::testing::internal::GetCapturedStderr().find("setLineKMax"), std::string::npos);
+  ::testing::internal::CaptureStderr();
+  s.extract(clusters);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(EPCCSegmentation, ModesThereAndBackGiveWhatAFreshObjectGives) {
+  const auto cloud = renderCamera<Xyz>(wallAndFloor());
+  const auto labelsOf = [&](Segmentation& s) {
+    std::vector<pcl::PointIndices> clusters;
+    s.extract(clusters);
+    return s.getSegmentation().labels;
+  };
+  Segmentation fresh, fresh_paper, switched;
+  for (Segmentation* s : {&fresh, &fresh_paper, &switched}) s->setInputCloud(cloud);
+  fresh_paper.setMode(Mode::Paper);
+  const auto expected = labelsOf(fresh);
+  const auto expected_paper = labelsOf(fresh_paper);
+  for (int i = 0; i < 2; ++i) {
+    switched.setMode(Mode::Paper);
+    EXPECT_EQ(labelsOf(switched), expected_paper);
+    switched.setMode(Mode::InverseDepth);
+    EXPECT_EQ(labelsOf(switched), expected);
+    EXPECT_EQ(switched.getScanDirection(), ScanDirection::Both);
+  }
+}
+
+TEST(EPCCSegmentation, TheSensorIsMeasuredUnlessAModelIsSet) {
+  const auto cloud = renderCamera<Xyz>(wallAndFloor());
+  std::vector<pcl::PointIndices> clusters;
+  const auto usedAfter = [&](Segmentation& s) {
+    s.setInputCloud(cloud);
+    s.extract(clusters);
+    EXPECT_EQ(clusters.size(), 2u);
+    return s.getSensorModel().description();
+  };
+  Segmentation fresh, again, named;
+  const std::string measured = usedAfter(fresh);
+  again.setSensorModel("kinect-v1");
+  EXPECT_EQ(usedAfter(again), SensorModel::preset("kinect-v1")->description());
+  again.setSensorModelAuto();
+  EXPECT_EQ(usedAfter(again), measured);
+  named.setSensorModel("kinect-v1");
+  EXPECT_TRUE(named.setSensorModel("auto"));
+  EXPECT_EQ(usedAfter(named), measured);
+  EXPECT_NE(measured, SensorModel::preset("kinect-v1")->description());
 }
 
 TEST(EPCCSegmentation, SensorModelByName) {

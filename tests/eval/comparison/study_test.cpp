@@ -40,8 +40,8 @@ TEST(StudyCatalogue, EveryVariantIsValid) {
 
 TEST(StudyCatalogue, ScenesKeepTable3) {
   const Study study = makeStudy("scan", oneScene());
-  EXPECT_EQ(study.variants[0].parameters("a").plane.k_max, 3.0);
-  EXPECT_EQ(study.variants[0].parameters("d").plane.k_max, 2.0);
+  EXPECT_EQ(study.variants[0].parameters("a").paper.plane_k_max, 3.0);
+  EXPECT_EQ(study.variants[0].parameters("d").paper.plane_k_max, 2.0);
   EXPECT_EQ(study.variants[1].parameters("a").scan, ScanDirection::Rows);
 }
 
@@ -81,7 +81,7 @@ TEST(RenderedFrames, WallIsAPlaneAtItsDistance) {
 
 TEST(LineStatistics, ExactWallIsOneSegmentALine) {
   const LabelledFrame wall = wallWithNoise(2.0, 0.0, NoiseOptions())(0);
-  const LineStatistics lines = lineStatistics(wall, Parameters::paper(), "d435i");
+  const LineStatistics lines = lineStatistics(wall, Parameters::forPaper(), "d435i");
   EXPECT_DOUBLE_EQ(lines.segments_per_line, 1.0);
   EXPECT_DOUBLE_EQ(lines.pixel_share, 1.0);
 }

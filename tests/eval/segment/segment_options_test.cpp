@@ -72,7 +72,7 @@ TEST_F(SegmentOptions, EmptyValue) {
 
 TEST_F(SegmentOptions, Mode) {
   good({"--mode", "paper"});
-  good({"--mode", "default"});
+  good({"--mode", "inverse-depth"});
   EXPECT_EQ(good({}).out, good({"--mode", "default"}).out);
   usage({"--mode", "fast"}, "unknown mode 'fast'");
 }
@@ -101,7 +101,7 @@ TEST_F(SegmentOptions, Scan) {
   good({"--scan", "columns"});
   good({"--scan", "rows"});
   good({"--scan", "both"});
-  usage({"--mode", "paper", "--scan", "both"}, "paper mode scans columns or rows");
+  EXPECT_EQ(good({"--mode", "paper", "--scan", "both"}).out, good({"--mode", "paper", "--scan", "columns"}).out);
   usage({"--scan", "diagonal"}, "diagonal");
 }
 

@@ -3,6 +3,7 @@
 #include <epcc_segmentation/contours.h>
 #include <epcc_segmentation/plane_extractor.h>
 
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -24,6 +25,12 @@ int main() {
   const bool done = extractor.extract(epcc::DepthFrame::fromDepth(depth.data(), camera), result);
   const auto contours =
       epcc::traceAllContours(result.labels, result.width, result.height, static_cast<int>(result.planes.size()));
+  // The library's numbers are read as it wrote them, whatever flags this is built with.
+  for (const epcc::Plane& plane : result.planes) {
+    const bool is_wall = std::abs(plane.coefficients(2)) > 0.9;
+    if (std::abs(plane.coefficients(3) - (is_wall ? 2.0 : 0.6)) > 0.01) return 2;
+    if (!(plane.coefficients_covariance.trace() > 0.0) || plane.pixel_count < 1000) return 3;
+  }
   std::printf("%zu planes, %zu with an outline %s\n", result.planes.size(), contours.size(), extractor.error().c_str());
   return done && result.planes.size() == 2 ? 0 : 1;
 }

@@ -11,7 +11,6 @@
 #include <pcl/segmentation/planar_region.h>
 
 #include <Eigen/Core>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -20,32 +19,23 @@
 #include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/export.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/plane_extractor.h"
 #include "epcc_segmentation/plane_segmentation.h"
-#include "epcc_segmentation/sensor_estimation.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "epcc_segmentation/status.h"
 
 namespace epcc {
 
-/// How a segmentation ended.
-enum class SegmentationStatus {
-  Ok,                 ///< Done; there may be no planes.
-  NoInput,            ///< setInputCloud() was not called, or with a null pointer.
-  EmptyCloud,         ///< The cloud has no points.
-  SizeMismatch,       ///< The cloud's points are not width * height, or are more than an index can name.
-  Unorganized,        ///< The cloud has one row.
-  InvalidIndices,     ///< An index is negative or beyond the cloud.
-  InvalidParameters,  ///< A parameter or the sensor model is out of its range.
-  UnsupportedScan,    ///< Row scan of a spherical scan, whose rows are cones.
-  Failed              ///< Refused by the extractor for another reason.
-};
+/// Former name.
+using SegmentationStatus = Status;
 
 /// Segments an organized cloud into planes by evolving principal component clustering.
 ///
 /// Its calls are those of pcl::OrganizedMultiPlaneSegmentation, so that it replaces that class by
 /// changing the type; it needs no normals. Clouds of a depth camera (x right, y down, z forward) and
-/// of a spinning lidar (x forward, y left, z up; column = azimuth) are told apart by themselves.
+/// of a spinning lidar (x forward, y left, z up; column = azimuth) are distinguished automatically.
 ///
 /// - Every output is cleared first, and is empty after bad input: then one PCL_ERROR line tells what
 ///   is wrong, and getStatus() and getErrorMessage() tell a program. Nothing is thrown.
@@ -54,14 +44,17 @@ enum class SegmentationStatus {
 ///   is measured and there are no planes.
 /// - Planes come largest first. Coefficients are (a, b, c, d) of a x + b y + c z + d = 0 in metres,
 ///   unit normal towards the sensor (d >= 0). Labels are 0..K-1 and kNoPlane; indices are ascending.
-/// - The object keeps a frame's memory for the next call: it can be moved but not copied, and serves
-///   one thread at a time.
+/// - The object keeps a frame's memory for the next call, whatever is changed in between: it can be moved but not
+///   copied, and serves one thread at a time.
+/// - The sensor is measured on the clouds unless a model is set; the mode is Mode::InverseDepth unless it is changed.
+///   Setters act in that mode; the paper mode's are in paper().
+/// - A program may be built with other compiler flags (-mavx, -march=native) than the library.
 template <typename PointT>
-class EPCCSegmentation : public pcl::PCLBase<PointT> {
+class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
  public:
   using Ptr = pcl::shared_ptr<EPCCSegmentation<PointT>>;
   using ConstPtr = pcl::shared_ptr<const EPCCSegmentation<PointT>>;
-  using Status = SegmentationStatus;
+  using Status = epcc::Status;
   using PointCloud = pcl::PointCloud<PointT>;
   using PointCloudL = pcl::PointCloud<pcl::Label>;
   using PointCloudLPtr = PointCloudL::Ptr;
@@ -78,65 +71,68 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
   void setIndices(const pcl::PointIndices::ConstPtr& indices) override;
   void setIndices(std::size_t row_start, std::size_t col_start, std::size_t nb_rows, std::size_t nb_cols) override;
 
-  /// Mode::Paper: Algorithms 1 and 2 as published. Mode::Default: inverse depth, made for the correlated error of
-  /// real sensors (the default). Paper mode scans columns where both directions were asked for before. Where a setter
-  /// says so, it matters in one mode only.
-  void setMode(Mode mode) {
-    change(parameters_.mode, mode);
-    if (mode == Mode::Paper && parameters_.scan == ScanDirection::Both)
-      change(parameters_.scan, ScanDirection::Columns);
-  }
-  Mode getMode() const { return parameters_.mode; }
-
-  /// Scan lines along the image's columns or rows (Sec. 7.2), or both (Mode::Default only, and its default). A
-  /// spherical scan has only columns: rows are an error, both means columns.
-  void setScanDirection(ScanDirection direction) { change(parameters_.scan, direction); }
-  ScanDirection getScanDirection() const { return parameters_.scan; }
-
-  /// k_max of Eq. 20, standard deviations: how far a point may lie from its line segment. (0, 100], default 2.
-  /// Paper mode; the default mode's are in setParameters().
-  void setLineKMax(double k_max) { change(parameters_.line.k_max, k_max); }
-  double getLineKMax() const { return parameters_.line.k_max; }
-
-  /// k_max of Eq. 23, standard deviations: how far a segment may lie from its plane. (0, 100], default 3.
-  /// Paper mode; the default mode's are in setParameters().
-  void setPlaneKMax(double k_max) { change(parameters_.plane.k_max, k_max); }
-  double getPlaneKMax() const { return parameters_.plane.k_max; }
-
-  /// d_1 of Eq. 27, metres: gap between neighbouring segments of a plane. [0, 100], default 0.15. Paper mode.
-  void setMaxGap(double metres) { change(parameters_.plane.max_gap, metres); }
-  double getMaxGap() const { return parameters_.plane.max_gap; }
-
-  /// Fewest points of a plane, in both modes. [0, 1e9]; initially 0 in paper mode, where setMinSegments() then
-  /// decides alone, and 150 in the default mode.
-  void setMinInliers(unsigned points);
-  unsigned getMinInliers() const;
-
-  /// Fewest line segments of a plane (15 are the 30 endpoints of Sec. 7.1). [1, 1e6], default 15. Paper mode.
-  void setMinSegments(int segments) { change(parameters_.plane.min_segments, segments); }
-  int getMinSegments() const { return parameters_.plane.min_segments; }
-
-  /// Variances of the acceptance criterion of Algorithm 2 (Table 2). Default (a), all of them. Paper mode.
-  void setPlaneCriterion(PlaneCriterion criterion) { change(parameters_.plane.criterion, criterion); }
-  PlaneCriterion getPlaneCriterion() const { return parameters_.plane.criterion; }
-
   /// The depth sensor's noise: sigma_z(z) and correlation length. Default: measured on the clouds, see
   /// setSensorModelAuto().
-  void setSensorModel(const SensorModel& sensor) {
-    estimator_.reset();
-    change(sensor_, sensor);
-  }
+  void setSensorModel(const SensorModel& sensor) { extractor_.setSensor(sensor); }
   /// By name, see SensorModel::presetNames(), or "auto". False, and nothing is changed, for an unknown name.
   bool setSensorModel(const std::string& preset_name);
   /// The model is measured on the clouds and settles over a stream of them; then every fourth is measured
   /// (SensorEstimator).
-  void setSensorModelAuto();
+  void setSensorModelAuto() { extractor_.setSensorAuto(); }
   /// The model that was set, or that the last call measured.
-  const SensorModel& getSensorModel() const { return sensor_; }
+  const SensorModel& getSensorModel() const { return extractor_.sensor(); }
 
-  /// Threads for the scan lines; the result does not depend on it. [1, 256], default 1.
-  void setThreads(int threads) { change(parameters_.threads, threads); }
+  /// Fewest points of a plane, in both modes. [1, 1e9], default 60 (paper mode: 0, its segments decide alone). Raise it
+  /// if small pieces of clutter are reported; lower it if small faces are missing.
+  void setMinInliers(unsigned points);
+  unsigned getMinInliers() const;
+
+  /// Gate of a line segment, in standard deviations of the sensor model (InverseDepthParameters::line_k_max). (0, 100],
+  /// default 1.5. Raise it if surfaces break into pieces; lower it if shallow creases are run over.
+  void setLineKMax(double k_max) {
+    parameters_.inverse_depth.line_k_max = k_max;
+    inverse_depth_set_ = true;
+  }
+  double getLineKMax() const { return parameters_.inverse_depth.line_k_max; }
+
+  /// Gate of a plane, in standard deviations (InverseDepthParameters::plane_k_max). (0, 100], default 2. Raise it if
+  /// planes break along the scan direction; lower it if neighbouring faces join.
+  void setPlaneKMax(double k_max) {
+    parameters_.inverse_depth.plane_k_max = k_max;
+    inverse_depth_set_ = true;
+  }
+  double getPlaneKMax() const { return parameters_.inverse_depth.plane_k_max; }
+
+  /// Offset, in standard deviations, within which two large regions are one surface
+  /// (InverseDepthParameters::region_tolerance). [0, 100], default 1.5. Raise it if walls stay in pieces
+  /// (over-segmentation); lower it if doors and steps join the wall behind them (under-segmentation).
+  void setRegionTolerance(double sigmas) {
+    parameters_.inverse_depth.region_tolerance = sigmas;
+    inverse_depth_set_ = true;
+  }
+  double getRegionTolerance() const { return parameters_.inverse_depth.region_tolerance; }
+
+  /// Threads; the result does not depend on them. [1, 256], default 1.
+  void setThreads(int threads) { parameters_.threads = threads; }
   int getThreads() const { return parameters_.threads; }
+
+  /// Scan lines along the image's columns or rows (Sec. 7.2), or all that mode and cloud allow (the default). Rows of a
+  /// spherical scan are an error.
+  void setScanDirection(ScanDirection direction) { parameters_.scan = direction; }
+  ScanDirection getScanDirection() const { return parameters_.scan; }
+
+  /// Mode::InverseDepth (the default): made for the correlated error of real sensors. Mode::Paper: Algorithms 1 and 2
+  /// as published. Each mode has its own settings; switching there and back changes nothing.
+  void setMode(Mode mode) { parameters_.mode = mode; }
+  Mode getMode() const { return parameters_.mode; }
+
+  /// Settings of Mode::Paper: `segmentation.paper().max_gap = 0.2`.
+  PaperParameters& paper() { return parameters_.paper; }
+  const PaperParameters& paper() const { return parameters_.paper; }
+
+  /// All parameters of the algorithm at once.
+  void setParameters(const Parameters& parameters) { parameters_ = parameters; }
+  const Parameters& getParameters() const { return parameters_; }
 
   /// How the cloud was measured. Default, and for std::nullopt: found out from each cloud (detectProjection()).
   void setProjection(std::optional<Projection> projection) { projection_ = projection; }
@@ -144,37 +140,48 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
   /// The projection the last call worked with.
   Projection getUsedProjection() const { return used_projection_; }
 
-  /// All parameters of the algorithm at once.
-  void setParameters(const Parameters& parameters) { change(parameters_, parameters); }
-  const Parameters& getParameters() const { return parameters_; }
-
   /// True moves the contour points of planar regions orthogonally onto their plane (Eq. 28). Default false:
   /// they stay where they were measured.
   void setProjectPoints(bool project) { project_points_ = project; }
   bool getProjectPoints() const { return project_points_; }
 
-  /// Radians: largest angle between the two segments that start a plane (Algorithm 2). (0, pi/2], default 20 degrees.
-  /// Paper mode. Not the angle between neighbouring normals, which EPCC does not use.
-  void setAngularThreshold(double radians) { change(parameters_.plane.max_start_angle, radians * (180.0 / M_PI)); }
-  double getAngularThreshold() const { return parameters_.plane.max_start_angle * (M_PI / 180.0); }
-
-  /// \name Accepted so that programs for pcl::OrganizedMultiPlaneSegmentation compile; without effect.
-  /// The sensor model takes the place of these thresholds, and there are no normals and no comparators.
+  /// \name Accepted so that programs for pcl::OrganizedMultiPlaneSegmentation compile; without effect, as the first
+  /// call of each says with PCL_WARN. The sensor model takes the place of these thresholds, and there are no normals
+  /// and no comparators.
   /// \{
-  void setDistanceThreshold(double metres) { distance_threshold_ = metres; }
+  void setAngularThreshold(double radians) {
+    warnWithoutEffect(0, "setAngularThreshold", "the sensor model takes its place");
+    angular_threshold_ = radians;
+  }
+  double getAngularThreshold() const { return angular_threshold_; }
+  void setDistanceThreshold(double metres) {
+    warnWithoutEffect(1, "setDistanceThreshold", "the sensor model takes its place");
+    distance_threshold_ = metres;
+  }
   double getDistanceThreshold() const { return distance_threshold_; }
-  void setMaximumCurvature(double curvature) { maximum_curvature_ = curvature; }
+  void setMaximumCurvature(double curvature) {
+    warnWithoutEffect(2, "setMaximumCurvature", "the sensor model takes its place");
+    maximum_curvature_ = curvature;
+  }
   double getMaximumCurvature() const { return maximum_curvature_; }
   /// A pointer to any normal cloud, null too; it is not kept.
   template <typename NormalCloud>
-  void setInputNormals(const pcl::shared_ptr<NormalCloud>&) {}
+  void setInputNormals(const pcl::shared_ptr<NormalCloud>&) {
+    warnWithoutEffect(3, "setInputNormals", "no normals are used");
+  }
   template <typename Comparator>
-  void setComparator(const pcl::shared_ptr<Comparator>&) {}
+  void setComparator(const pcl::shared_ptr<Comparator>&) {
+    warnWithoutEffect(4, "setComparator", "there are no comparators");
+  }
   template <typename Comparator>
-  void setRefinementComparator(const pcl::shared_ptr<Comparator>&) {}
+  void setRefinementComparator(const pcl::shared_ptr<Comparator>&) {
+    warnWithoutEffect(5, "setRefinementComparator", "there are no comparators");
+  }
   /// Leaves its arguments as they are: planes are complete after segment().
   void refine(std::vector<pcl::ModelCoefficients>&, std::vector<pcl::PointIndices>&, PointCloudLPtr&,
-              std::vector<pcl::PointIndices>&) {}
+              std::vector<pcl::PointIndices>&) {
+    warnWithoutEffect(6, "refine", "planes are complete after segment()");
+  }
   /// \}
 
   /// Finds the planes: coefficients and points of each.
@@ -219,16 +226,12 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
   virtual std::string getClassName() const { return "EPCCSegmentation"; }
 
  private:
-  template <typename Value>
-  void change(Value& member, const Value& value) {
-    member = value;
-    extractor_.reset();
-  }
+  /// Says once for each of the calls, numbered from 0, that it does nothing.
+  void warnWithoutEffect(unsigned call, const char* name, const char* why);
 
   /// Checks the input and segments it into segmentation_; on bad input reports it as found by `method`.
   bool compute(const char* method);
   Status checkInput(std::string& what) const;
-  Status checkSettings(std::string& what);
   bool report(const char* method, Status status, const std::string& what);
 
   /// The points given by setIndices() as a mask, or nullptr if it was not called.
@@ -240,14 +243,15 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
   void copyRegions(PlanarRegions& regions, std::vector<pcl::PointIndices>* boundary_indices) const;
 
   Parameters parameters_;
-  SensorModel sensor_;
-  std::optional<SensorEstimator> estimator_ = SensorEstimator();  // absent if the model was set
+  PlaneExtractor extractor_;  // with the sensor model
   std::optional<Projection> projection_;
   bool project_points_ = false;
+  double angular_threshold_ = 0.05235987755982989;  // 3 degrees, PCL's default, like those below
   double distance_threshold_ = 0.02;
   double maximum_curvature_ = 0.001;
+  bool inverse_depth_set_ = false;  // by a setter that the paper mode does not read
+  unsigned warned_ = 0;             // a bit for each call without effect
 
-  std::optional<PlaneExtractor> extractor_;  // absent after a change of the parameters
   std::vector<std::uint8_t> mask_;
   PlaneSegmentation segmentation_;
   Projection used_projection_ = Projection::Perspective;
@@ -256,6 +260,8 @@ class EPCCSegmentation : public pcl::PCLBase<PointT> {
 };
 
 }  // namespace epcc
+
+#include "epcc_segmentation/pcl/impl/aligned_output.hpp"
 
 #ifdef PCL_NO_PRECOMPILE
 #include "epcc_segmentation/pcl/impl/epcc_segmentation.hpp"

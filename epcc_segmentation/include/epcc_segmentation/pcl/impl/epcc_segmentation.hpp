@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Implementation of the PCL class: check the input, run the extractor, fill PCL's types.
+// Implementation of the PCL class: check the input, run the extractor, fill PCL's types. The library holds it compiled
+// for PCL's point types.
 #pragma once
 
 #include <pcl/console/print.h>
@@ -7,12 +8,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <new>
 #include <type_traits>
 #include <utility>
 
-#include "epcc_segmentation/contours.h"
 #include "epcc_segmentation/pcl/epcc_segmentation.h"
-#include "epcc_segmentation/pcl/impl/planar_region_builder.hpp"
 
 namespace epcc {
 
@@ -40,14 +40,14 @@ template <typename PointT>
 void EPCCSegmentation<PointT>::setMinInliers(unsigned points) {
   const auto largest = static_cast<unsigned>(std::numeric_limits<int>::max());
   const int fewest = static_cast<int>(std::min(points, largest));
-  change(parameters_.plane.min_points, fewest);
-  change(parameters_.evidence.min_points, std::max(1, fewest));
+  parameters_.paper.min_points = fewest;
+  parameters_.inverse_depth.min_points = std::max(1, fewest);
 }
 
 template <typename PointT>
 unsigned EPCCSegmentation<PointT>::getMinInliers() const {
   const bool paper = parameters_.mode == Mode::Paper;
-  return static_cast<unsigned>(paper ? parameters_.plane.min_points : parameters_.evidence.min_points);
+  return static_cast<unsigned>(paper ? parameters_.paper.min_points : parameters_.inverse_depth.min_points);
 }
 
 template <typename PointT>
@@ -62,9 +62,10 @@ bool EPCCSegmentation<PointT>::setSensorModel(const std::string& preset_name) {
 }
 
 template <typename PointT>
-void EPCCSegmentation<PointT>::setSensorModelAuto() {
-  estimator_.emplace();
-  extractor_.reset();
+void EPCCSegmentation<PointT>::warnWithoutEffect(unsigned call, const char* name, const char* why) {
+  if ((warned_ >> call) & 1u) return;
+  warned_ |= 1u << call;
+  PCL_WARN("[epcc::%s::%s] has no effect: %s.\n", getClassName().c_str(), name, why);
 }
 
 template <typename PointT>
@@ -78,93 +79,40 @@ void EPCCSegmentation<PointT>::segment(std::vector<pcl::ModelCoefficients>& mode
 }
 
 template <typename PointT>
-void EPCCSegmentation<PointT>::segment(std::vector<pcl::ModelCoefficients>& model_coefficients,
-                                       std::vector<pcl::PointIndices>& inlier_indices, Centroids& centroids,
-                                       Covariances& covariances, PointCloudL& labels,
-                                       std::vector<pcl::PointIndices>& label_indices) {
-  model_coefficients.clear();
-  inlier_indices.clear();
-  centroids.clear();
-  covariances.clear();
-  labels.clear();
-  label_indices.clear();
-  if (!compute("segment")) return;
-  copyModels(model_coefficients);
-  copyInliers(inlier_indices);
-  for (const Plane& plane : segmentation_.planes) {
-    centroids.push_back(plane.centroid.homogeneous().template cast<float>());
-    covariances.push_back(plane.points_covariance.template cast<float>());
-  }
-  copyLabels(labels);
-  label_indices = inlier_indices;
-}
-
-template <typename PointT>
-void EPCCSegmentation<PointT>::segment(PlanarRegions& regions) {
-  regions.clear();
-  if (compute("segment")) copyRegions(regions, nullptr);
-}
-
-template <typename PointT>
-void EPCCSegmentation<PointT>::segmentAndRefine(PlanarRegions& regions) {
-  regions.clear();
-  if (compute("segmentAndRefine")) copyRegions(regions, nullptr);
-}
-
-template <typename PointT>
-void EPCCSegmentation<PointT>::segmentAndRefine(PlanarRegions& regions,
-                                                std::vector<pcl::ModelCoefficients>& model_coefficients,
-                                                std::vector<pcl::PointIndices>& inlier_indices, PointCloudLPtr& labels,
-                                                std::vector<pcl::PointIndices>& label_indices,
-                                                std::vector<pcl::PointIndices>& boundary_indices) {
-  regions.clear();
-  model_coefficients.clear();
-  inlier_indices.clear();
-  if (!labels) labels = pcl::make_shared<PointCloudL>();
-  labels->clear();
-  label_indices.clear();
-  boundary_indices.clear();
-  if (!compute("segmentAndRefine")) return;
-  copyRegions(regions, &boundary_indices);
-  copyModels(model_coefficients);
-  copyInliers(inlier_indices);
-  copyLabels(*labels);
-  label_indices = inlier_indices;
-}
-
-template <typename PointT>
 void EPCCSegmentation<PointT>::extract(std::vector<pcl::PointIndices>& clusters) {
   clusters.clear();
   if (compute("extract")) copyInliers(clusters);
 }
 
 template <typename PointT>
-bool EPCCSegmentation<PointT>::compute(const char* method) {
+bool EPCCSegmentation<PointT>::compute(const char* method) try {
   static_assert(std::is_same<decltype(PointT::x), float>::value, "the coordinates must be float");
   static_assert(sizeof(PointT) % sizeof(float) == 0, "points must be a whole number of floats apart");
 
   std::string what;
-  status_ = checkInput(what);
-  if (status_ == Status::Ok) status_ = checkSettings(what);
-  if (status_ != Status::Ok) return report(method, status_, what);
+  const Status status = checkInput(what);
+  if (status != Status::Ok) return report(method, status, what);
 
-  initCompute();
+  if (parameters_.mode == Mode::Paper && inverse_depth_set_)
+    warnWithoutEffect(7, "setLineKMax, setPlaneKMax, setRegionTolerance",
+                      "the paper mode is set; its settings are in paper()");
+
+  const auto width = static_cast<int>(input_->width);
+  const auto height = static_cast<int>(input_->height);
+  const float* points = &input_->points.front().x;
+  constexpr std::size_t kStride = sizeof(PointT) / sizeof(float);
+  used_projection_ = projection_ ? *projection_ : detectProjection(points, kStride, width, height);
   const DepthFrame frame =
-      DepthFrame::fromPoints(&input_->points.front().x, sizeof(PointT) / sizeof(float), static_cast<int>(input_->width),
-                             static_cast<int>(input_->height), used_projection_)
-          .masked(updateMask());
-  if (estimator_) {
-    sensor_ = estimator_->update(frame).model();
-    extractor_.reset();
-  }
-  if (!extractor_) extractor_.emplace(parameters_, sensor_);
-  const bool done = extractor_->extract(frame, segmentation_);
-  deinitCompute();
-  return report(method, done ? Status::Ok : Status::Failed, extractor_->error());
+      DepthFrame::fromPoints(points, kStride, width, height, used_projection_).masked(updateMask());
+  extractor_.setParameters(parameters_);
+  extractor_.extract(frame, segmentation_);
+  return report(method, extractor_.status(), extractor_.error());
+} catch (const std::bad_alloc&) {
+  return report(method, Status::OutOfMemory, "there is not enough memory for the cloud");
 }
 
 template <typename PointT>
-typename EPCCSegmentation<PointT>::Status EPCCSegmentation<PointT>::checkInput(std::string& what) const {
+Status EPCCSegmentation<PointT>::checkInput(std::string& what) const {
   if (!input_) {
     what = "no input cloud: call setInputCloud() first";
     return Status::NoInput;
@@ -192,22 +140,6 @@ typename EPCCSegmentation<PointT>::Status EPCCSegmentation<PointT>::checkInput(s
     if (index >= 0 && static_cast<std::uint64_t>(index) < size) continue;
     what = "index " + std::to_string(index) + " is outside the cloud of " + std::to_string(size) + " points";
     return Status::InvalidIndices;
-  }
-  return Status::Ok;
-}
-
-template <typename PointT>
-typename EPCCSegmentation<PointT>::Status EPCCSegmentation<PointT>::checkSettings(std::string& what) {
-  what = parameters_.validate();
-  if (what.empty()) what = sensor_.validate();
-  if (!what.empty()) return Status::InvalidParameters;
-
-  used_projection_ = projection_ ? *projection_
-                                 : detectProjection(&input_->points.front().x, sizeof(PointT) / sizeof(float),
-                                                    static_cast<int>(input_->width), static_cast<int>(input_->height));
-  if (used_projection_ == Projection::Spherical && parameters_.scan == ScanDirection::Rows) {
-    what = "the rows of a spherical scan are cones: scan it by columns";
-    return Status::UnsupportedScan;
   }
   return Status::Ok;
 }
@@ -253,39 +185,6 @@ void EPCCSegmentation<PointT>::copyInliers(std::vector<pcl::PointIndices>& inlie
   }
 }
 
-template <typename PointT>
-void EPCCSegmentation<PointT>::copyLabels(PointCloudL& labels) const {
-  labels.header = input_->header;
-  labels.sensor_origin_ = input_->sensor_origin_;
-  labels.sensor_orientation_ = input_->sensor_orientation_;
-  labels.is_dense = true;
-  labels.resize(segmentation_.labels.size());
-  labels.width = input_->width;
-  labels.height = input_->height;
-  for (std::size_t i = 0; i < segmentation_.labels.size(); ++i) {
-    const std::int32_t label = segmentation_.labels[i];
-    labels.points[i].label = label > 0 ? static_cast<std::uint32_t>(label - 1) : kNoPlane;
-  }
-}
-
-template <typename PointT>
-void EPCCSegmentation<PointT>::copyRegions(PlanarRegions& regions,
-                                           std::vector<pcl::PointIndices>* boundary_indices) const {
-  const auto contours = traceAllContours(segmentation_.labels, segmentation_.width, segmentation_.height,
-                                         static_cast<int>(segmentation_.planes.size()));
-  regions.reserve(contours.size());
-  for (std::size_t k = 0; k < contours.size(); ++k) {
-    const PixelContour outline = contours[k].empty() ? PixelContour() : contours[k].front();
-    regions.push_back(buildPlanarRegion(segmentation_.planes[k], outline, *input_, project_points_));
-    if (boundary_indices == nullptr) continue;
-    pcl::PointIndices boundary;
-    boundary.header = input_->header;
-    for (const Eigen::Vector2i& pixel : outline.points)
-      boundary.indices.push_back(pixel.y() * segmentation_.width + pixel.x());
-    boundary_indices->push_back(std::move(boundary));
-  }
-}
-
 }  // namespace epcc
 
-#define PCL_INSTANTIATE_EPCCSegmentation(T) template class PCL_EXPORTS epcc::EPCCSegmentation<T>;
+#define PCL_INSTANTIATE_EPCCSegmentation(T) template class EPCC_CORE_EXPORT epcc::EPCCSegmentation<T>;

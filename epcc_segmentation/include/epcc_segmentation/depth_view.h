@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A view on any caller's depth image: cv::Mat, sensor_msgs/Image (16UC1, 32FC1), the buffers of RealSense and Kinect.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace epcc {
+
+/// Depth image of height x width values in the caller's memory, row by row. Nothing is copied or owned: the memory must
+/// outlive the call that reads it. T is float (metres unless `scale` says otherwise; <= 0, NaN and Inf are invalid) or
+/// std::uint16_t (millimetres unless `scale` says otherwise; 0 is invalid).
+///
+///     cv::Mat m;                 DepthView<std::uint16_t>{m.ptr<std::uint16_t>(), m.cols, m.rows,
+///     (std::ptrdiff_t)m.step} sensor_msgs::Image i;      DepthView<float>{(const float*)i.data.data(), (int)i.width,
+///     (int)i.height, i.step} rs2::depth_frame f;        DepthView<std::uint16_t>{(const std::uint16_t*)f.get_data(),
+///     f.get_width(),
+///                                                         f.get_height(), f.get_stride_in_bytes(), f.get_units()}
+template <typename T>
+struct DepthView {
+  static_assert(std::is_same<T, float>::value || std::is_same<T, std::uint16_t>::value, "depths are float or uint16");
+
+  const T* data = nullptr;
+  int width = 0;   ///< pixels
+  int height = 0;  ///< pixels
+  /// Bytes from the start of a row to that of the next; 0: rows adjoin. Need not be a multiple of sizeof(T); negative
+  /// for images stored bottom up, whose `data` is then the last row of the memory.
+  std::ptrdiff_t row_stride = 0;
+  /// Metres per unit.
+  double scale = std::is_same<T, float>::value ? 1.0 : 0.001;
+};
+
+}  // namespace epcc

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The calls of the PCL class that fill containers with Eigen's aligned allocator. Compiled with the caller's flags,
+// never in the library: memory that one of them allocates and another frees must be aligned alike.
+#pragma once
+
+#include <utility>
+
+#include "epcc_segmentation/contours.h"
+#include "epcc_segmentation/pcl/epcc_segmentation.h"
+#include "epcc_segmentation/pcl/impl/planar_region_builder.hpp"
+
+namespace epcc {
+
+template <typename PointT>
+void EPCCSegmentation<PointT>::segment(std::vector<pcl::ModelCoefficients>& model_coefficients,
+                                       std::vector<pcl::PointIndices>& inlier_indices, Centroids& centroids,
+                                       Covariances& covariances, PointCloudL& labels,
+                                       std::vector<pcl::PointIndices>& label_indices) {
+  model_coefficients.clear();
+  inlier_indices.clear();
+  centroids.clear();
+  covariances.clear();
+  labels.clear();
+  label_indices.clear();
+  if (!compute("segment")) return;
+  copyModels(model_coefficients);
+  copyInliers(inlier_indices);
+  for (const Plane& plane : segmentation_.planes) {
+    centroids.push_back(plane.centroid.homogeneous().template cast<float>());
+    covariances.push_back(plane.points_covariance.template cast<float>());
+  }
+  copyLabels(labels);
+  label_indices = inlier_indices;
+}
+
+template <typename PointT>
+void EPCCSegmentation<PointT>::segment(PlanarRegions& regions) {
+  regions.clear();
+  if (compute("segment")) copyRegions(regions, nullptr);
+}
+
+template <typename PointT>
+void EPCCSegmentation<PointT>::segmentAndRefine(PlanarRegions& regions) {
+  regions.clear();
+  if (compute("segmentAndRefine")) copyRegions(regions, nullptr);
+}
+
+template <typename PointT>
+void EPCCSegmentation<PointT>::segmentAndRefine(PlanarRegions& regions,
+                                                std::vector<pcl::ModelCoefficients>& model_coefficients,
+                                                std::vector<pcl::PointIndices>& inlier_indices, PointCloudLPtr& labels,
+                                                std::vector<pcl::PointIndices>& label_indices,
+                                                std::vector<pcl::PointIndices>& boundary_indices) {
+  regions.clear();
+  model_coefficients.clear();
+  inlier_indices.clear();
+  if (!labels) labels = pcl::make_shared<PointCloudL>();
+  labels->clear();
+  label_indices.clear();
+  boundary_indices.clear();
+  if (!compute("segmentAndRefine")) return;
+  copyRegions(regions, &boundary_indices);
+  copyModels(model_coefficients);
+  copyInliers(inlier_indices);
+  copyLabels(*labels);
+  label_indices = inlier_indices;
+}
+
+template <typename PointT>
+void EPCCSegmentation<PointT>::copyLabels(PointCloudL& labels) const {
+  labels.header = input_->header;
+  labels.sensor_origin_ = input_->sensor_origin_;
+  labels.sensor_orientation_ = input_->sensor_orientation_;
+  labels.is_dense = true;
+  labels.resize(segmentation_.labels.size());
+  labels.width = input_->width;
+  labels.height = input_->height;
+  for (std::size_t i = 0; i < segmentation_.labels.size(); ++i) {
+    const std::int32_t label = segmentation_.labels[i];
+    labels.points[i].label = label > 0 ? static_cast<std::uint32_t>(label - 1) : kNoPlane;
+  }
+}
+
+template <typename PointT>
+void EPCCSegmentation<PointT>::copyRegions(PlanarRegions& regions,
+                                           std::vector<pcl::PointIndices>* boundary_indices) const {
+  const auto contours = traceAllContours(segmentation_.labels, segmentation_.width, segmentation_.height,
+                                         static_cast<int>(segmentation_.planes.size()));
+  regions.reserve(contours.size());
+  for (std::size_t k = 0; k < contours.size(); ++k) {
+    const PixelContour outline = contours[k].empty() ? PixelContour() : contours[k].front();
+    regions.push_back(buildPlanarRegion(segmentation_.planes[k], outline, *input_, project_points_));
+    if (boundary_indices == nullptr) continue;
+    pcl::PointIndices boundary;
+    boundary.header = input_->header;
+    for (const Eigen::Vector2i& pixel : outline.points)
+      boundary.indices.push_back(pixel.y() * segmentation_.width + pixel.x());
+    boundary_indices->push_back(std::move(boundary));
+  }
+}
+
+}  // namespace epcc
