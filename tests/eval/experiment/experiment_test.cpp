@@ -119,7 +119,7 @@ TEST(Experiment, AFrameThatCannotBeUsedCostsOneRecordAMethod) {
 }
 
 TEST(Experiment, NoiseOfTheOptionsBeforeTheFramesBeforeTheMeasured) {
-  SensorModel seen;
+  SensorModel seen = *SensorModel::preset("kinect-v1");
   const SensorModel given = SensorModel::axial(0.01, 0.02, 3.0);
   run(oneSource({tinyFrame("f", 1)}), {oracle("-", &seen)}, {"0.01,0.02,3", 1});
   EXPECT_EQ(seen.description(), given.description());

@@ -29,7 +29,7 @@ int main() {
   for (const epcc::Plane& plane : result.planes) {
     const bool is_wall = std::abs(plane.coefficients(2)) > 0.9;
     if (std::abs(plane.coefficients(3) - (is_wall ? 2.0 : 0.6)) > 0.01) return 2;
-    if (!(plane.coefficients_covariance.trace() > 0.0) || plane.pixel_count < 1000) return 3;
+    if (!(plane.signedDistance(plane.centroid) < 1e-6) || !(plane.rms < 1e-3) || plane.pixel_count < 1000) return 3;
   }
   std::printf("%zu planes, %zu with an outline %s\n", result.planes.size(), contours.size(), extractor.error().c_str());
   return done && result.planes.size() == 2 ? 0 : 1;
