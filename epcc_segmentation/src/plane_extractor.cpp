@@ -33,7 +33,10 @@ class StopWatch {
 /// Labels in the frame's own order -> in that of the caller's arrays, which a transposed view does not share.
 void moveLabels(const DepthFrame& frame, std::vector<std::int32_t>& from, std::vector<std::int32_t>& to) {
   if (!frame.isTransposed()) {
-    to.swap(from);  // each keeps its memory
+    if (to.size() != from.size())
+      to = from;  // the first frame: from now on both have their memory
+    else
+      to.swap(from);
     return;
   }
   to.resize(from.size());

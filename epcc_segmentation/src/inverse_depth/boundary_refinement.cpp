@@ -22,8 +22,15 @@ enum class Crease { Unknown, Convex, Concave };
 
 class Refiner {
  public:
-  Refiner(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map)
-      : image_(image), parameters_(parameters.expert.refinement), labels_(map.labels), planes_(map.regions.size() + 1) {
+  Refiner(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map,
+          RefinementMemory& memory)
+      : image_(image),
+        parameters_(parameters.expert.refinement),
+        labels_(map.labels),
+        planes_(map.regions.size() + 1),
+        frontier_(memory.frontier),
+        queued_(memory.queued),
+        changes_(memory.changes) {
     for (std::size_t k = 0; k < map.regions.size(); ++k) {
       if (map.regions[k].n <= 0.0) continue;
       const RegionPlane plane(map.regions[k]);
@@ -41,10 +48,7 @@ class Refiner {
   }
 
  private:
-  struct Change {
-    std::size_t pixel;
-    std::int32_t label;
-  };
+  using Change = RefinementMemory::Change;
   struct Pixel {
     int row, column;
     double w, weight, inverse_sigma;
@@ -78,6 +82,7 @@ class Refiner {
   // ---- borders ----
   // One sweep over the image: where two labels meet, the pixels join the frontier and the crease is voted.
   void sweepBorders() {
+    frontier_.clear();
     queued_.assign(labels_.size(), 0);
     const auto step = static_cast<std::size_t>(width());
     for (int row = 0; row < height(); ++row) {
@@ -223,16 +228,17 @@ class Refiner {
   RegionPairLookup<Votes> votes_of_{votes_};
   RegionPairs<Crease> creases_;
   RegionPairLookup<Crease> crease_of_{creases_};
-  std::vector<std::size_t> frontier_;
-  std::vector<std::uint8_t> queued_;
-  std::vector<Change> changes_;
+  std::vector<std::size_t>& frontier_;
+  std::vector<std::uint8_t>& queued_;
+  std::vector<Change>& changes_;
   bool use_creases_ = true;
 };
 
 }  // namespace
 
-void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map) {
-  Refiner(image, parameters, map).run();
+void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map,
+                      RefinementMemory& memory) {
+  Refiner(image, parameters, map, memory).run();
 }
 
 }  // namespace epcc

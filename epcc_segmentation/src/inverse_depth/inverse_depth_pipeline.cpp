@@ -118,7 +118,7 @@ void InverseDepthPipeline::mergeRegions() {
 }
 
 void InverseDepthPipeline::refineBoundaries() {
-  epcc::refineBoundaries(*image_, parameters_.inverse_depth, map_);
+  epcc::refineBoundaries(*image_, parameters_.inverse_depth, map_, refinement_);
   map_.accumulate(*image_);
   mergeRegions();  // S6
 }

@@ -8,6 +8,7 @@
 
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/boundary_refinement.h"
 #include "inverse_depth/directional_planes.h"
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/region_map.h"
@@ -47,6 +48,7 @@ class InverseDepthPipeline {
   std::array<std::vector<std::int32_t>, 2> rank_of_;  // per segment + 1: rank of its plane among all planes
   std::vector<std::int32_t> label_of_rank_;
   RegionMap map_;
+  RefinementMemory refinement_;
 };
 
 }  // namespace epcc

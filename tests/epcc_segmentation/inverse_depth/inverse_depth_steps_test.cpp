@@ -286,7 +286,8 @@ TEST(BoundaryRefinement, AShiftedCornerMovesBackAndHolesAreFilled) {
   const long before = wrong(labels);
   auto map = regionsOf(image, room.labels, 3);  // the planes are known, the borders are not
   map.labels = labels;
-  epcc::refineBoundaries(image, epcc::InverseDepthParameters(), map);
+  epcc::RefinementMemory memory;
+  epcc::refineBoundaries(image, epcc::InverseDepthParameters(), map, memory);
   EXPECT_GT(before, 1500);
   EXPECT_LT(wrong(map.labels), before / 20);
 }
@@ -298,7 +299,8 @@ TEST(BoundaryRefinement, NothingIsLabelledBeyondTheResidual) {
   auto labels = room.labels;
   for (int column = 20; column < 30; ++column) labels[static_cast<std::size_t>(20 * 60 + column)] = 0;
   auto map = regionsOf(image, labels, 1);
-  epcc::refineBoundaries(image, epcc::InverseDepthParameters(), map);
+  epcc::RefinementMemory memory;
+  epcc::refineBoundaries(image, epcc::InverseDepthParameters(), map, memory);
   EXPECT_EQ(map.labels, labels);
 }
 
