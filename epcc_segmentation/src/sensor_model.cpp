@@ -98,7 +98,7 @@ std::string SensorModel::validate() const {
   if (!polynomial_ && k_[0] == 0.0 && k_[1] == 0.0) return "a and b of sigma_z must not both be zero";
   if (polynomial_ && (k_[0] < 0.0 || (k_[0] == 0.0 && k_[1] < 0.0)))
     return "the polynomial sigma_z(z) becomes negative at large z";
-  if (polynomial_ && sigmaZ(1.0) <= kSmallestSigma) return "the polynomial sigma_z(z) is not positive at z = 1 m";
+  if (polynomial_ && sigmaZ(1.0) <= kMinSigma) return "the polynomial sigma_z(z) is not positive at z = 1 m";
   return {};
 }
 

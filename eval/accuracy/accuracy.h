@@ -12,7 +12,7 @@
 
 namespace epcc {
 
-/// The default mode with the sensor measured on the frame, beside the methods of segmenterNames().
+/// The inverse-depth mode with the sensor measured on the frame, beside the methods of segmenterNames().
 constexpr const char* kAutoMethod = "epcc-auto";
 
 struct AccuracyOptions {
@@ -47,7 +47,7 @@ struct AccuracyResult {
   ExperimentSummary all;
   /// The data sets' frames 0, 2, 4 ... and 1, 3, 5 ... in the order of their names.
   std::array<ExperimentSummary, 2> halves;
-  /// The data sets' frames with the default mode, given and measured sensor one after the other.
+  /// The data sets' frames in the inverse-depth mode, given and measured sensor one after the other.
   std::vector<FrameRecord> frames;
   /// The steps' frames with the same two.
   std::vector<FrameRecord> steps;

@@ -90,7 +90,7 @@ std::string comparisonNote(const ComparisonOptions& options) {
   const bool paper = options.parameters == ParameterSet::Paper;
   return std::string(kSurrogateNote) + " Noise: " + options.noise_text + ". Parameters: " +
          (paper ? "Table 3 of the paper, with the noise model of Eq. 22 (d435i) for epcc-paper; the row epcc is the "
-                  "project's default mode with its defaults."
+                  "project's inverse-depth mode with its defaults."
                 : "the project's defaults, with the sensor model that the rendered frames name.") +
          " Mean ± standard deviation over " + std::to_string(options.seeds) + " seeds for EPCC and " +
          std::to_string(options.slow_seeds) + " for region growing and RANSAC; ms: median time of a frame.";

@@ -41,8 +41,9 @@ struct InverseDepthImage;  // internal: a frame that has been read
 /// frames, so that the model settles and does not flicker.
 class EPCC_CORE_EXPORT SensorEstimator {
  public:
-  /// memory: frames that are remembered. interval: once so many are, only every interval-th frame is measured, which
-  /// saves time; another sensor counts when more than half of what is remembered is its own. Both at least 1.
+  /// memory: number of frames whose estimates are remembered, at least 1. interval: once the memory is full, only every
+  /// interval-th frame is measured, which saves time, at least 1. After a change of the sensor the model follows when
+  /// more than half of the remembered frames are from the new one.
   explicit SensorEstimator(std::size_t memory = 15, std::size_t interval = 4);
   /// Measures a frame, if its turn has come, and returns the estimate of the stream. A change of the image size starts
   /// afresh.

@@ -42,7 +42,7 @@ class EPCC_CORE_EXPORT SensorModel {
     const double polynomial = (k_[0] * z + k_[1]) * z + k_[2];
     const double spread = polynomial_ ? (polynomial > 0.0 ? polynomial : 0.0) : k_[1] * z * z;
     const double variance = spread * spread + (polynomial_ ? 0.0 : k_[0] * k_[0]);
-    return variance > kSmallestSigma * kSmallestSigma ? variance : kSmallestSigma * kSmallestSigma;
+    return variance > kMinSigma * kMinSigma ? variance : kMinSigma * kMinSigma;
   }
   /// Standard deviation of the inverse depth, sigma_z / z^2, in 1/m.
   double sigmaInverseDepth(double z) const { return sigmaZ(z) / (z * z); }
@@ -65,7 +65,7 @@ class EPCC_CORE_EXPORT SensorModel {
   std::string description() const;
 
  private:
-  static constexpr double kSmallestSigma = 1e-6;
+  static constexpr double kMinSigma = 1e-6;
   static constexpr double kPi = 3.14159265358979323846;
   SensorModel(bool is_polynomial, double k0, double k1, double k2, double correlation_length)
       : polynomial_(is_polynomial), k_{k0, k1, k2}, correlation_length_(correlation_length) {}

@@ -123,8 +123,8 @@ double InverseDepthImage::placeVariance() const {
 // Written without branches, as above. A float holds the weight of any depth that a sensor gives; of others it stays
 // finite and positive.
 void InverseDepthImage::weigh(const SensorModel& sensor) {
-  constexpr float kLeast = std::numeric_limits<float>::min();
-  constexpr float kMost = std::numeric_limits<float>::max();
+  constexpr float kMin = std::numeric_limits<float>::min();
+  constexpr float kMax = std::numeric_limits<float>::max();
   noise = InverseDepthNoise::of(sensor);
   noise.place2 = placeVariance();
   const InverseDepthNoise own = noise;  // a local copy cannot alias the weights
@@ -135,7 +135,7 @@ void InverseDepthImage::weigh(const SensorModel& sensor) {
     float* row = weight.data() + r * columns;
     const auto scale = static_cast<float>(measured_scale[r]);
     for (std::size_t c = 0; c < columns; ++c)
-      row[c] = std::min(kMost, std::max(kLeast, scale * scale / own.variance(value[c] * scale)));
+      row[c] = std::min(kMax, std::max(kMin, scale * scale / own.variance(value[c] * scale)));
   }
   transpose(w, width, height, w_transposed);
   transpose(weight, width, height, weight_transposed);

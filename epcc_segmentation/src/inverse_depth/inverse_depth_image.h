@@ -16,8 +16,9 @@ namespace epcc {
 struct InverseDepthNoise {
   double k1 = 0.0, k2 = 0.0, k3 = 0.0;  // polynomial form: (k1 + k2 w + k3 w^2)^2
   double a2 = 0.0, b2 = 0.0;            // axial form: b^2 + a^2 w^4
-  /// Variance of a value's place in its pixel, in ray coordinates. On a surface inclined by 45 degrees it is one of
-  /// depth, and no depth is better than that. Measured models contain it; it acts where one says next to nothing.
+  /// Variance of the place within its pixel that a value comes from, in ray coordinates. On a surface inclined by 45
+  /// degrees an error of the place is an equal error of the depth, so this is the smallest variance that any depth is
+  /// given. Measured sensor models contain it; it matters for models with almost no error, such as `rendered`.
   double place2 = 0.0;
 
   static InverseDepthNoise of(const SensorModel& sensor);

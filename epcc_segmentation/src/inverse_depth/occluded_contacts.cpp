@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks along rows and columns behind what is in front.
+// Finds regions on both sides of an occluder by walking along rows and columns.
 #include "inverse_depth/region_contacts.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks along rows and columns from region to region.
+// Finds neighbouring regions by walking along rows and columns.
 #include "inverse_depth/region_contacts.h"
 
 #include <utility>

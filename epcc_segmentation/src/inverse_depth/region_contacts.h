@@ -61,12 +61,12 @@ struct Contact {
 using RegionContacts = RegionPairs<Contact>;
 
 /// Regions whose labels follow each other on a row or column across at most `bridge` unlabelled pixels, none of which
-/// lies farther away than both by more than `residual` sigma: a groove parts surfaces, coplanar as they may be.
+/// lies farther away than both by more than `residual` sigma: a groove separates surfaces even if they are coplanar.
 RegionContacts findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map);
 
 /// Regions that face each other on a row or column across something nearer than the plane of the longer run by more
 /// than `residual` sigma, which takes no more pixels than max_occluder times those of the two, with nothing farther
-/// away between: one surface, perhaps, behind an occluder.
+/// away between them. They may be one surface behind an occluder.
 RegionContacts findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual,
                                     const RegionMap& map);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Labelled regions with their moments, the state that S3 to S7 work on.
+// Labelled regions with their moments, the state that steps S3 to S8 work on.
 #pragma once
 
 #include <cstdint>

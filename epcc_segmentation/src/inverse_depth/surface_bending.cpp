@@ -16,7 +16,7 @@ namespace {
 constexpr double kSamples = 500.0;
 
 /// Pixels of a scan more than 78 degrees to the side of a region's middle are left out: u grows without bounds there.
-constexpr double kLeastDepth = 0.2;
+constexpr double kMinDepth = 0.2;
 
 using Terms = Eigen::Matrix<double, 6, 1>;
 
@@ -46,7 +46,7 @@ class RegionView {
 
   void add(const Eigen::Vector3d& ray, double w, double weight_of_w) {
     const double depth = sine_ * ray.x() + cosine_ * ray.z();  // 1 unless turned
-    if (depth < kLeastDepth) return;
+    if (depth < kMinDepth) return;
     const double u = (cosine_ * ray.x() - sine_ * ray.z()) / depth - u0_;
     const double v = ray.y() / depth - v0_;
     const double residual = (w - q_.dot(ray)) / depth;

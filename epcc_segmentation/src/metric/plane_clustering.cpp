@@ -13,14 +13,14 @@ namespace epcc {
 
 namespace {
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-constexpr double kSmallestMeanDistance = 1e-6;  // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
+constexpr double kMinMeanDistance = 1e-6;  // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
 }  // namespace
 
 void PlanePrototype::add(const Eigen::Vector3d& endpoint) {
   const double d = std::abs(distance(endpoint));
   ++distances;
   mean_distance += (d - mean_distance) / distances;
-  const double weight = std::exp(-d / std::max(mean_distance, kSmallestMeanDistance));
+  const double weight = std::exp(-d / std::max(mean_distance, kMinMeanDistance));
   statistics.add(endpoint, weight);
 }
 

@@ -13,9 +13,9 @@ namespace epcc {
 
 namespace {
 
-constexpr double kFewestValid = 0.8;
-constexpr double kFewestInliers = 0.75;
-constexpr int kLargestBlock = 32;  // side, pixels
+constexpr double kMinValidShare = 0.8;
+constexpr double kMinInlierShare = 0.75;
+constexpr int kMaxBlock = 32;  // side, pixels
 constexpr int kPasses = 4;
 constexpr double kGate = 3.2;  // in 68 % quantiles of the residual
 constexpr double kScaleQuantile = 0.68;
@@ -26,12 +26,12 @@ constexpr double kRounding = 1e-6;  // relative, of single precision
 constexpr double kSteepest = 25.0;  // tan^2 of the angle between ray and normal
 
 /// A value per pixel of a block, row by row, on the stack.
-using BlockImage = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kLargestBlock, kLargestBlock>;
+using BlockImage = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMaxBlock, kMaxBlock>;
 
 /// The pixels of a square block, or every second one of every second row.
 struct Samples {
-  BlockImage w;                                                          // inverse depths, kNowhere where there is none
-  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kLargestBlock, 3> powers;  // 1, t, t^2 of the coordinate t in pixels
+  BlockImage w;                                                      // inverse depths, kNowhere where there is none
+  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kMaxBlock, 3> powers;  // 1, t, t^2 of the coordinate t in pixels
 
   Samples(const InverseDepthImage& image, int row, int column, int size, int stride) {
     const int count = size / stride;
@@ -77,8 +77,8 @@ BlockImage inliers(const BlockImage& error, double gate) {
 /// Least squares over the pixels where `inlier` is 1. The sums over a grid separate into rows and columns.
 std::optional<Eigen::Vector3d> fit(const Samples& samples, const BlockImage& inlier) {
   const auto& t = samples.powers;
-  const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kLargestBlock, 3> rows = inlier.matrix().lazyProduct(t);
-  const Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kLargestBlock, 2> rows_w =
+  const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kMaxBlock, 3> rows = inlier.matrix().lazyProduct(t);
+  const Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMaxBlock, 2> rows_w =
       (inlier * samples.w).matrix().eval().lazyProduct(t.leftCols<2>());
   const Eigen::Matrix3d m = t.transpose().lazyProduct(rows);  // sum of y^i x^j
   const Eigen::Matrix2d mw = t.leftCols<2>().transpose().lazyProduct(rows_w);
@@ -95,7 +95,7 @@ std::optional<Eigen::Vector3d> fit(const Samples& samples, const BlockImage& inl
 /// The 68 % quantile of the errors of `count` pixels, to half a percent: halvings of an interval of its logarithm.
 /// quantile() orders the values, and with it the measuring of a frame takes a sixth longer.
 double scaleOf(const BlockImage& error, std::size_t count, double largest) {
-  const Eigen::Array<float, Eigen::Dynamic, 1, 0, kLargestBlock * kLargestBlock, 1> size =
+  const Eigen::Array<float, Eigen::Dynamic, 1, 0, kMaxBlock * kMaxBlock, 1> size =
       Eigen::Map<const Eigen::ArrayXd>(error.data(), error.size()).abs().cast<float>();
   const auto rank = static_cast<int>(kScaleQuantile * static_cast<double>(count - 1));
   double low = std::log2(largest) - kScaleOctaves;
@@ -158,7 +158,7 @@ double pitch(const std::vector<double>& coordinate, int first, int size) {
 std::optional<FittedBlock> fitBlock(const InverseDepthImage& image, int row, int column, int size) {
   const Samples all(image, row, column, size, 1);
   const auto valid = static_cast<double>((all.w < kNowhere).count());
-  if (valid < kFewestValid * size * size) return std::nullopt;
+  if (valid < kMinValidShare * size * size) return std::nullopt;
   const Samples quarter(image, row, column, size, 2);
   FittedBlock block;
   block.values = quarter.values();
@@ -183,7 +183,7 @@ std::optional<FittedBlock> fitBlock(const InverseDepthImage& image, int row, int
   block.inlier = inliers(error, gate);
   block.error = block.inlier * error;
   const double n = block.inlier.sum();
-  if (n < kFewestInliers * valid || n < 8.0) return std::nullopt;
+  if (n < kMinInlierShare * valid || n < 8.0) return std::nullopt;
 
   const double mean_w = (block.inlier * all.w).sum() / n;
   const double qu = plane.x() / std::max(pitch(image.across, column, size), 1e-9);

@@ -12,8 +12,8 @@ namespace epcc {
 
 namespace {
 
-constexpr int kMostBlocks = 120;
-constexpr std::size_t kFewestPerBin = 4;
+constexpr int kMaxBlocks = 120;
+constexpr std::size_t kMinBlocksPerBin = 4;
 constexpr double kBinsPerOctave = 3.0;
 constexpr double kLowQuantile = 0.2;
 constexpr double kClutteredBin = 3.0;  // in medians of r / z^2 over the bins
@@ -24,7 +24,7 @@ std::vector<PlacedBlock> measureBlocks(const InverseDepthImage& image, int size)
   const int across = image.width / size;
   const int down = image.height / size;
   const int tiles = across * down;
-  const int count = std::min(tiles, kMostBlocks);
+  const int count = std::min(tiles, kMaxBlocks);
   for (int i = 0; i < count; ++i) {
     const int tile = static_cast<int>(static_cast<long>(i) * tiles / count);
     const int row = tile / across * size;
@@ -85,7 +85,7 @@ std::vector<DepthBin> measureDepthBins(const InverseDepthImage& image, int block
     bins[static_cast<int>(std::floor(kBinsPerOctave * std::log2(block.residuals.depth)))].blocks.push_back(block);
   std::vector<DepthBin> usable;
   for (auto& [index, bin] : bins) {
-    if (bin.blocks.size() < kFewestPerBin) continue;
+    if (bin.blocks.size() < kMinBlocksPerBin) continue;
     summarize(bin);
     if (bin.r > 0.0) usable.push_back(bin);
   }
@@ -107,7 +107,7 @@ void guardAgainstClutter(const InverseDepthImage& image, int block_size, std::ve
       for (const int shift : {0, half})
         if (const auto error = measureBlockError(image, block.row + shift, block.column + shift, half))
           r.push_back(*error);
-    if (r.size() >= kFewestPerBin) bin.r = std::min(bin.r, kClutterGuard * quantile(r, kLowQuantile));
+    if (r.size() >= kMinBlocksPerBin) bin.r = std::min(bin.r, kClutterGuard * quantile(r, kLowQuantile));
   }
 }
 

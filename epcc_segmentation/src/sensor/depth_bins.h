@@ -17,7 +17,7 @@ struct PlacedBlock {
 
 struct DepthBin {
   double depth = 0.0;   ///< geometric mean, metres
-  double r = 0.0;       ///< low quantile of the blocks' residuals, metres: clutter only enlarges them
+  double r = 0.0;       ///< low quantile of the blocks' residuals, metres: clutter can only make them larger
   double step = 0.0;    ///< median of the blocks' depth steps, metres
   double weight = 0.0;  ///< number of blocks
   std::vector<PlacedBlock> blocks;
@@ -30,8 +30,8 @@ std::vector<DepthBin> measureDepthBins(const InverseDepthImage& image, int block
 /// bin, then the mean by their number of blocks. Bins full of clutter are left out. Not for an empty list.
 std::array<double, kLags.size()> correlationOf(const std::vector<DepthBin>& bins, double roughest);
 
-/// Half-size blocks fit between the clutter: lowers r to little more than they show. Only for errors that are short
-/// in them too.
+/// Blocks of half the size fit between the clutter: each bin's r is lowered to at most 1.1 times what such blocks show.
+/// Only for errors whose correlation length is small against the half-size block too.
 void guardAgainstClutter(const InverseDepthImage& image, int block_size, std::vector<DepthBin>& bins);
 
 }  // namespace epcc

@@ -11,8 +11,8 @@ namespace epcc {
 
 namespace {
 
-constexpr double kShortest = 1.0;
-constexpr double kLongestOfBlock = 1.0 / 3.0;  // beyond, all lengths look alike to the block
+constexpr double kMinLength = 1.0;
+constexpr double kMaxLengthOfBlock = 1.0 / 3.0;  // beyond, all lengths look alike to the block
 constexpr double kLengthStep = 1.1;
 
 /// A basis function of the plane along one axis, orthonormal: the constant or the tilt.
@@ -75,7 +75,7 @@ Blotches fitBlotches(const std::array<double, kLags.size()>& correlation, int bl
   Blotches best;
   best.block_size = block_size;
   double smallest = std::numeric_limits<double>::infinity();
-  for (double length = kShortest; length <= kLongestOfBlock * block_size; length *= kLengthStep) {
+  for (double length = kMinLength; length <= kMaxLengthOfBlock * block_size; length *= kLengthStep) {
     const auto expected = fittedBlotches(length, block_size).correlation;
     double product = 0.0;
     double square = 0.0;

@@ -27,10 +27,10 @@ constexpr double kFlatBlock = 1.5;
 constexpr double kFlattestBlock = 1.2;
 constexpr double kLongCorrelation = 0.14;  // at a quarter of the block: half-size blocks would hardly see the error
 constexpr double kLengthOverFit = 1.2;     // a block shows a length of 8 px as 6.7
-constexpr double kLongestOfImage = 1.0 / 67;
-constexpr double kShortestBlotch = 1.5;
+constexpr double kMaxLengthOfImage = 1.0 / 67;
+constexpr double kMinBlotch = 1.5;
 constexpr double kPinball = 0.3;
-constexpr double kHeaviestBin = 20.0;
+constexpr double kMaxBinWeight = 20.0;
 constexpr int kGrid = 33;
 
 /// Standard deviation of an even distribution over an interval of this width.
@@ -73,7 +73,7 @@ void fitSigma(const std::vector<DepthBin>& bins, const std::vector<double>& log_
       for (std::size_t i = 0; i < bins.size(); ++i) {
         const double z2 = bins[i].depth * bins[i].depth;
         const double e = log_targets[i] - 0.5 * std::log(a * a + b * b * z2 * z2);
-        loss += std::min(bins[i].weight, kHeaviestBin) * (e > 0.0 ? kPinball * e : (kPinball - 1.0) * e);
+        loss += std::min(bins[i].weight, kMaxBinWeight) * (e > 0.0 ? kPinball * e : (kPinball - 1.0) * e);
       }
       if (loss >= best) continue;
       best = loss;
@@ -115,7 +115,7 @@ SensorEstimate estimateSensor(const InverseDepthImage& image) {
     estimate.noise_class = is_long ? NoiseClass::Long : NoiseClass::Mid;
     blotches = fitBlotches(is_long ? correlation : correlationOf(bins, kFlattestBlock), size);
     estimate.correlation_length =
-        std::max(kShortestBlotch, std::min(kLengthOverFit * blotches.length, kLongestOfImage * longer_side));
+        std::max(kMinBlotch, std::min(kLengthOverFit * blotches.length, kMaxLengthOfImage * longer_side));
   }
   if (estimate.noise_class != NoiseClass::Long) guardAgainstClutter(image, size, bins);
   const double sigma_over_residual = sigmaOverError(correlation[0]) * blotches.errorOverResidual();
