@@ -182,6 +182,10 @@ std::vector<ParameterField> paperFields() {
              "specks are reported", "small surfaces are missing"),
       choice(EPCC_FIELD(paper.criterion), {"a", "b", "c", "d"}, "Form of the criterion (Table 2)",
              "Choose b if segments are short and noisy, c or d only to study what the noise model is worth"),
+      choice(EPCC_FIELD(paper.endpoint_weight), {"printed", "exponential", "gaussian", "cauchy", "huber", "none"},
+             "Weight of an end point in the covariance of its plane (Eq. 26)",
+             "Choose exponential on real depth, whose error is correlated, for fewer strips; cauchy or huber for fewer "
+             "still, at the cost of small surfaces; none only to study what the weight is worth"),
       number(EPCC_FIELD(paper.expert.lines.fit_samples), 2, 100, "samples",
              "l: samples that fit the candidate of a new segment", "candidates are fitted to noise",
              "short segments are missing"),

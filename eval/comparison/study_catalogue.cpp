@@ -98,10 +98,24 @@ void addScan(const ComparisonOptions& options, Study& study) {
   useScenes(options, study);
 }
 
+void addWeights(const ComparisonOptions& options, Study& study) {
+  study.title = "Eq. 26: the weight of an endpoint in the covariance of its plane";
+  study.row_title = "weight";
+  study.by_frames = true;
+  const std::pair<const char*, EndpointWeight> weights[] = {
+      {"printed", EndpointWeight::Printed},   {"exponential", EndpointWeight::Exponential},
+      {"gaussian", EndpointWeight::Gaussian}, {"cauchy", EndpointWeight::Cauchy},
+      {"huber", EndpointWeight::Huber},       {"none", EndpointWeight::None}};
+  for (const auto& weight : weights)
+    study.variants.push_back(variant(
+        weight.first, "", [form = weight.second](Parameters& parameters) { parameters.paper.endpoint_weight = form; }));
+  useScenes(options, study);
+}
+
 }  // namespace
 
 std::vector<std::string> studyNames() {
-  return {"criteria", "buffer", "distance", "scan"};
+  return {"criteria", "buffer", "distance", "scan", "weights"};
 }
 
 Study makeStudy(const std::string& name, const ComparisonOptions& options) {
@@ -118,6 +132,8 @@ Study makeStudy(const std::string& name, const ComparisonOptions& options) {
     addDistance(options, study);
   else if (name == "scan")
     addScan(options, study);
+  else if (name == "weights")
+    addWeights(options, study);
   else
     throw std::invalid_argument("unknown study '" + name + "'");
   return study;

@@ -9,7 +9,7 @@
 
 namespace epcc {
 
-/// criteria (Table 2, Fig. 20), buffer (Fig. 12), distance (Figs. 15, 24), scan (Figs. 22, 23).
+/// criteria (Table 2, Fig. 20), buffer (Fig. 12), distance (Figs. 15, 24), scan (Figs. 22, 23), weights (Eq. 26).
 std::vector<std::string> studyNames();
 
 /// A study with the scenes, noise and seeds of the options. Throws std::invalid_argument for another name.

@@ -33,6 +33,7 @@ struct RawOptions {
   std::optional<double> line_k_max, plane_k_max, max_gap;
   std::optional<int> min_points;
   std::string criterion;
+  std::string plane_weight;
 };
 
 // Help without CLI11's lists of what an option needs and excludes: they are longer than the help itself.
@@ -115,6 +116,8 @@ void addMethodOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
   add("--max-gap", raw.max_gap, "D1", "Paper: gap within a plane beyond the noise, metres (0.15)")->check(checkFinite);
   add("--min-points", raw.min_points, "N", "Planes with fewer pixels are dropped (60; paper: 0)");
   add("--criterion", raw.criterion, "a|b|c|d", "Paper: form of the criterion, Table 2 (a)")->check(checkCriterion);
+  add("--plane-weight", raw.plane_weight, "FORM",
+      "Paper: weight of an endpoint, Eq. 26: printed | exponential | gaussian | cauchy | huber | none (printed)");
   add("--set", raw.assignments, "NAME=VALUE", "Any parameter, as --list-parameters names it; may be given again")
       ->expected(1)
       ->take_all();
@@ -148,6 +151,7 @@ std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
   parameters.mode = paper ? Mode::Paper : Mode::InverseDepth;
   if (!paper && raw.max_gap) return "--max-gap belongs to the paper mode";
   if (!paper && !raw.criterion.empty()) return "--criterion belongs to the paper mode";
+  if (!paper && !raw.plane_weight.empty()) return "--plane-weight belongs to the paper mode";
   if (raw.scan == "columns") parameters.scan = ScanDirection::Columns;
   if (raw.scan == "rows") parameters.scan = ScanDirection::Rows;
   if (raw.scan == "both") parameters.scan = ScanDirection::Both;
@@ -156,6 +160,10 @@ std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
   if (raw.max_gap) parameters.paper.max_gap = *raw.max_gap;
   if (raw.min_points) (paper ? parameters.paper.min_points : parameters.inverse_depth.min_points) = *raw.min_points;
   if (!raw.criterion.empty()) parameters.paper.criterion = static_cast<PlaneCriterion>(raw.criterion[0] - 'a');
+  if (!raw.plane_weight.empty()) {
+    const std::string problem = setParameter("paper.endpoint_weight=" + raw.plane_weight, parameters);
+    if (!problem.empty()) return "--plane-weight: " + problem;
+  }
   for (const std::string& assignment : raw.assignments) {
     const std::string problem = setParameter(assignment, parameters);
     if (!problem.empty()) return "--set: " + problem;

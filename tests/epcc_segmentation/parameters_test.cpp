@@ -22,6 +22,7 @@ TEST(Parameters, DefaultsAreValidAndThePapers) {
   EXPECT_EQ(p.paper.expert.lines.minSamples(), 8);
   EXPECT_EQ(p.paper.expert.lines.buffer_samples, 2 * p.paper.expert.lines.minSamples());
   EXPECT_EQ(p.paper.max_gap, 0.15);
+  EXPECT_EQ(p.paper.endpoint_weight, EndpointWeight::Printed);
 }
 
 TEST(Parameters, EveryFieldOutOfRangeIsNamed) {

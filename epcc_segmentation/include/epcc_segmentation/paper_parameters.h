@@ -12,6 +12,17 @@ enum class PlaneCriterion {
   Prototype                ///< (d) sigma_j^2
 };
 
+/// Eq. 26: how much an end point counts in the covariance of its plane. d is its distance from the plane before it is
+/// added, mu the running mean of these distances (mu_jd), at least 1e-6 m.
+enum class EndpointWeight {
+  Printed,      ///< exp(-d^2/mu^2), as printed
+  Exponential,  ///< exp(-d/mu)
+  Gaussian,     ///< exp(-d^2/(2 mu^2))
+  Cauchy,       ///< 1/(1 + d^2/mu^2)
+  Huber,        ///< min(1, mu/d)
+  None          ///< 1
+};
+
 /// Mode::Paper. Defaults are those of Table 3.
 struct PaperParameters {
   /// k_max of Eq. 20: a sample belongs to the line segment if d^2 <= k_max^2 (sigma^2 + s^2). (0, 100] sigma, default
@@ -37,6 +48,11 @@ struct PaperParameters {
   /// Form of the criterion (Table 2). a | b | c | d, default a. Choose b if segments are short and noisy, c or d only
   /// to study what the noise model is worth.
   PlaneCriterion criterion = PlaneCriterion::PrototypeSensorSegment;
+
+  /// Weight of an end point in the covariance of its plane (Eq. 26). printed | exponential | gaussian | cauchy | huber
+  /// | none, default printed. Choose exponential on real depth, whose error is correlated, for fewer strips; cauchy or
+  /// huber for fewer still, at the cost of small surfaces; none only to study what the weight is worth.
+  EndpointWeight endpoint_weight = EndpointWeight::Printed;
 
   // Expert fields, by step: the defaults serve every sensor that was measured.
 

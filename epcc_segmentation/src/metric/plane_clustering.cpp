@@ -14,14 +14,32 @@ namespace epcc {
 namespace {
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 constexpr double kMinMeanDistance = 1e-6;  // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
+
+// Eq. 26 of an endpoint at `ratio` times the mean distance.
+double weightAt(double ratio, EndpointWeight form) {
+  switch (form) {
+    case EndpointWeight::Printed:
+      return std::exp(-ratio * ratio);
+    case EndpointWeight::Exponential:
+      return std::exp(-ratio);
+    case EndpointWeight::Gaussian:
+      return std::exp(-0.5 * ratio * ratio);
+    case EndpointWeight::Cauchy:
+      return 1.0 / (1.0 + ratio * ratio);
+    case EndpointWeight::Huber:
+      return ratio > 1.0 ? 1.0 / ratio : 1.0;
+    case EndpointWeight::None:
+      break;
+  }
+  return 1.0;
+}
 }  // namespace
 
-void PlanePrototype::add(const Eigen::Vector3d& endpoint) {
+void PlanePrototype::add(const Eigen::Vector3d& endpoint, EndpointWeight form) {
   const double d = std::abs(distance(endpoint));
   ++distances;
   mean_distance += (d - mean_distance) / distances;
-  const double weight = std::exp(-d / std::max(mean_distance, kMinMeanDistance));
-  statistics.add(endpoint, weight);
+  statistics.add(endpoint, weightAt(d / std::max(mean_distance, kMinMeanDistance), form));
 }
 
 void PlanePrototype::refit() {
@@ -150,8 +168,8 @@ std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t li
 
 void PlaneClustering::addToPlane(int plane, const Segment& segment) {
   PlanePrototype& prototype = planes_[static_cast<std::size_t>(plane)];
-  prototype.add(segment.a);
-  prototype.add(segment.b);
+  prototype.add(segment.a, parameters_.endpoint_weight);
+  prototype.add(segment.b, parameters_.endpoint_weight);
   prototype.refit();
   ++prototype.segments;
 }

@@ -23,8 +23,8 @@ struct PlanePrototype {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
 
   double distance(const Eigen::Vector3d& p) const { return (p - statistics.mean).dot(normal); }
-  /// Takes an endpoint, weighted by Eq. 26 with the distance to the prototype before the update.
-  void add(const Eigen::Vector3d& endpoint);
+  /// Takes an endpoint, weighted by Eq. 26 in one of its forms with the distance to the prototype before the update.
+  void add(const Eigen::Vector3d& endpoint, EndpointWeight form);
   /// Normal and sigma_j^2 from the covariance.
   void refit();
 };

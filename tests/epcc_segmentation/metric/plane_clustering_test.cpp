@@ -6,6 +6,7 @@
 
 namespace {
 
+using epcc::EndpointWeight;
 using epcc::LineSegment;
 using epcc::PaperParameters;
 using epcc::PlaneClustering;
@@ -128,20 +129,71 @@ TEST_F(PlaneClusteringTest, TheFourCriteriaOfTable2DifferByTheirVariances) {
   EXPECT_FALSE(joins(PlaneCriterion::Prototype, 0.004));
 }
 
-TEST(PlanePrototype, WeightsFollowTheRunningMeanDistance) {
+/// The unit square at z = 2: normal z, no thickness.
+epcc::PlanePrototype unitSquare() {
   epcc::PlanePrototype prototype;
   for (const auto& p :
        {Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(1, 0, 2), Eigen::Vector3d(0, 1, 2), Eigen::Vector3d(1, 1, 2)})
     prototype.statistics.add(p);
   prototype.refit();
-  auto weighted = prototype;
-  auto plain = prototype;
-  weighted.add({0.5, 0.5, 2.3});
-  plain.statistics.add({0.5, 0.5, 2.3});
-  EXPECT_NEAR(weighted.mean_distance, 0.3, 1e-12);
-  // The first distance is its own mean: weight exp(-1).
-  EXPECT_NEAR(weighted.statistics.covariance(2, 2), std::exp(-1.0) * plain.statistics.covariance(2, 2), 1e-12);
-  EXPECT_EQ(weighted.statistics.mean, plain.statistics.mean);
+  return prototype;
+}
+
+TEST(PlanePrototype, TheFirstDistanceIsItsOwnMean) {
+  epcc::PlanePrototype prototype = unitSquare();
+  prototype.add({0.5, 0.5, 2.3}, EndpointWeight::Printed);
+  EXPECT_NEAR(prototype.mean_distance, 0.3, 1e-12);
+  EXPECT_NEAR(prototype.statistics.mean.z(), 2.06, 1e-12);  // (4 * 2 + 2.3) / 5: no weight in Eq. 12
+  // Eq. 25 with k = 5: 3/4 * 0 + w/5 * 0.3^2, w = exp(-1).
+  EXPECT_NEAR(prototype.statistics.covariance(2, 2), 0.36787944117144233 * 0.09 / 5.0, 1e-12);
+}
+
+TEST(PlanePrototype, EveryWeightAsWorkedByHand) {
+  // Distances 0.1, 0.1 and then 0.4: the mean with the new one is 0.2, the ratio d/mu is 2.
+  const std::pair<EndpointWeight, double> forms[] = {{EndpointWeight::Printed, 0.01831563888873418},     // exp(-4)
+                                                     {EndpointWeight::Exponential, 0.1353352832366127},  // exp(-2)
+                                                     {EndpointWeight::Gaussian, 0.1353352832366127},     // exp(-4/2)
+                                                     {EndpointWeight::Cauchy, 0.2},                      // 1/(1 + 4)
+                                                     {EndpointWeight::Huber, 0.5},                       // 1/2
+                                                     {EndpointWeight::None, 1.0}};
+  for (const auto& [form, weight] : forms) {
+    epcc::PlanePrototype prototype = unitSquare();
+    prototype.distances = 2;
+    prototype.mean_distance = 0.1;
+    prototype.add({0.5, 0.5, 2.4}, form);
+    EXPECT_NEAR(prototype.mean_distance, 0.2, 1e-12);
+    EXPECT_NEAR(prototype.statistics.covariance(2, 2), weight * 0.16 / 5.0, 1e-12) << static_cast<int>(form);
+  }
+}
+
+TEST(PlanePrototype, WeightsBelowTheMeanDistance) {
+  // Distances 0.3 and then 0.1: mean 0.2, ratio 1/2. (At 2 the exponential and the Gaussian form agree.)
+  const std::pair<EndpointWeight, double> forms[] = {{EndpointWeight::Printed, 0.7788007830714049},      // exp(-1/4)
+                                                     {EndpointWeight::Exponential, 0.6065306597126334},  // exp(-1/2)
+                                                     {EndpointWeight::Gaussian, 0.8824969025845955},     // exp(-1/8)
+                                                     {EndpointWeight::Cauchy, 0.8},                      // 1/(1 + 1/4)
+                                                     {EndpointWeight::Huber, 1.0},
+                                                     {EndpointWeight::None, 1.0}};
+  for (const auto& [form, weight] : forms) {
+    epcc::PlanePrototype prototype = unitSquare();
+    prototype.distances = 1;
+    prototype.mean_distance = 0.3;
+    prototype.add({0.5, 0.5, 2.1}, form);
+    EXPECT_NEAR(prototype.statistics.covariance(2, 2), weight * 0.01 / 5.0, 1e-12) << static_cast<int>(form);
+  }
+}
+
+TEST_F(PlaneClusteringTest, TheWeightOfTheParametersIsUsed) {
+  // The third segment lies 4 mm off the plane of the first two, and counts by its weight alone.
+  const auto thickness = [this](EndpointWeight form) {
+    parameters_.endpoint_weight = form;
+    auto clustering = make();
+    for (int i = 0; i < 3; ++i) clustering.addLine({vertical(0.01 * i, i < 2 ? 2.0 : 2.004)});
+    EXPECT_EQ(clustering.planes().size(), 1u);
+    return clustering.planes()[0].statistics.covariance(2, 2);
+  };
+  EXPECT_LT(thickness(EndpointWeight::Printed), thickness(EndpointWeight::None));
+  EXPECT_EQ(thickness(EndpointWeight::Printed), thickness(PaperParameters().endpoint_weight));
 }
 
 TEST(PlanePrototype, AnEndpointOnThePlaneDividesNothingByZero) {
@@ -149,7 +201,7 @@ TEST(PlanePrototype, AnEndpointOnThePlaneDividesNothingByZero) {
   for (const auto& p : {Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(1, 0, 2), Eigen::Vector3d(0, 1, 2)})
     prototype.statistics.add(p);
   prototype.refit();
-  prototype.add({1, 1, 2});
+  prototype.add({1, 1, 2}, EndpointWeight::Printed);
   prototype.refit();
   EXPECT_TRUE(prototype.statistics.covariance.allFinite());
   EXPECT_TRUE(prototype.normal.allFinite());

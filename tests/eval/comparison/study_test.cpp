@@ -23,7 +23,7 @@ ComparisonOptions oneScene() {
 }
 
 TEST(StudyCatalogue, EveryVariantIsValid) {
-  const std::size_t variants[] = {16, 16, 4, 2};
+  const std::size_t variants[] = {16, 16, 4, 2, 6};
   std::size_t i = 0;
   for (const std::string& name : studyNames()) {
     const Study study = makeStudy(name, oneScene());
@@ -43,6 +43,13 @@ TEST(StudyCatalogue, ScenesKeepTable3) {
   EXPECT_EQ(study.variants[0].parameters("a").paper.plane_k_max, 3.0);
   EXPECT_EQ(study.variants[0].parameters("d").paper.plane_k_max, 2.0);
   EXPECT_EQ(study.variants[1].parameters("a").scan, ScanDirection::Rows);
+}
+
+TEST(StudyCatalogue, WeightsAreNamedAsOnTheCommandLine) {
+  const Study study = makeStudy("weights", oneScene());
+  EXPECT_EQ(study.variants[0].row, "printed");
+  EXPECT_EQ(study.variants[1].parameters("a").paper.endpoint_weight, EndpointWeight::Exponential);
+  EXPECT_EQ(study.variants[5].parameters("a").paper.endpoint_weight, EndpointWeight::None);
 }
 
 TEST(Study, RowsTablesAndPictureAgree) {

@@ -39,10 +39,10 @@ TEST_F(SegmentOptions, HelpNamesEveryOption) {
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
   for (const char* option :
-       {"--camera",     "--fx",        "--fy",      "--cx",         "--cy",          "--depth-scale",
-        "--mode",       "--noise",     "--scan",    "--line-k-max", "--plane-k-max", "--max-gap",
-        "--min-points", "--criterion", "--threads", "--labels",     "--planes",      "--overlay",
-        "--cloud",      "--out",       "--timing",  "--version",    "--help",        "Exit codes"}) {
+       {"--camera",       "--fx",      "--fy",         "--cx",          "--cy",      "--depth-scale", "--mode",
+        "--noise",        "--scan",    "--line-k-max", "--plane-k-max", "--max-gap", "--min-points",  "--criterion",
+        "--plane-weight", "--threads", "--labels",     "--planes",      "--overlay", "--cloud",       "--out",
+        "--timing",       "--version", "--help",       "Exit codes"}) {
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   }
 }
@@ -110,6 +110,15 @@ TEST_F(SegmentOptions, Criterion) {
   usage({"--criterion", "a"}, "--criterion belongs to the paper mode");
   usage({"--criterion", "e"}, "'e'");
   usage({"--criterion", "ab"}, "'ab'");
+}
+
+TEST_F(SegmentOptions, PlaneWeight) {
+  for (const char* form : {"printed", "exponential", "gaussian", "cauchy", "huber", "none"})
+    good({"--mode", "paper", "--plane-weight", form});
+  EXPECT_EQ(good({"--mode", "paper"}).out, good({"--mode", "paper", "--plane-weight", "printed"}).out);
+  usage({"--plane-weight", "printed"}, "--plane-weight belongs to the paper mode");
+  usage({"--mode", "paper", "--plane-weight", "linear"},
+        "printed | exponential | gaussian | cauchy | huber | none, not 'linear'");
 }
 
 TEST_F(SegmentOptions, Numbers) {
