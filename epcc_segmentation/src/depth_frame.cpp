@@ -96,6 +96,14 @@ DepthFrame DepthFrame::transposed() const {
   return frame;
 }
 
+Eigen::Vector3d DepthFrame::fromScan(const Eigen::Vector3d& scan_point) const {
+  Eigen::Vector3d p = scan_point;
+  if (transposed_) std::swap(p.x(), p.y());
+  if (projection_ == Projection::PerspectiveBackward) return {p.x(), -p.y(), -p.z()};
+  if (projection_ == Projection::Spherical) return {p.z(), -p.x(), -p.y()};
+  return p;
+}
+
 template <typename T>
 void DepthFrame::readRow(int row, float* depth) const {
   const char* values = depth_ + row * depth_row_stride_;

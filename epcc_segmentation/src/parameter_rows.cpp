@@ -39,6 +39,8 @@ std::vector<ParameterField> generalFields() {
              "Choose one direction to save time; rows are an error for spherical scans, whose rows are cones"),
       number(EPCC_FIELD(threads), 1, 256, "threads", "Threads; the result does not depend on them", "cores are idle",
              "other work needs them"),
+      choice(EPCC_FIELD(line_segments), {"off", "on"}, "Report the line segments too (PlaneSegmentation::segments)",
+             "Choose on to draw them, or to build something else than planes on them"),
   };
 }
 

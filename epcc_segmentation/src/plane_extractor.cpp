@@ -30,6 +30,11 @@ class StopWatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/// The view whose columns are the scan lines of the paper mode.
+DepthFrame scanView(const DepthFrame& frame, ScanDirection scan) {
+  return scan == ScanDirection::Rows ? frame.transposed() : frame;
+}
+
 /// Labels in the frame's own order -> in that of the caller's arrays, which a transposed view does not share.
 void moveLabels(const DepthFrame& frame, std::vector<std::int32_t>& from, std::vector<std::int32_t>& to) {
   if (!frame.isTransposed()) {
@@ -86,6 +91,7 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
   const int count = parameters_.mode == Mode::Paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
   StopWatch watch;
   fitPlanes(frame, sensor_, count, result);
+  if (parameters_.line_segments) listSegments(frame, result);
   times_.result += watch.lap();
   return true;
 } catch (const std::bad_alloc&) {
@@ -97,7 +103,7 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
 int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& result) {
   result.labels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
   if (measures_sensor_) measureSensor(frame);
-  const DepthFrame view = parameters_.scan == ScanDirection::Rows ? frame.transposed() : frame;
+  const DepthFrame view = scanView(frame, parameters_.scan);
   MetricPipeline& pipeline = workspace_->metric;
   pipeline.configure(parameters_, sensor_);
   StopWatch watch;
@@ -135,6 +141,13 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   return pipeline.labelCount();
 }
 
+void PlaneExtractor::listSegments(const DepthFrame& frame, PlaneSegmentation& result) const {
+  if (parameters_.mode == Mode::Paper)
+    workspace_->metric.listSegments(scanView(frame, parameters_.scan), result.labels, result.segments);
+  else
+    workspace_->inverse_depth.listSegments(frame, result.labels, result.segments);
+}
+
 // The paper mode has no use for the inverse depths but this.
 void PlaneExtractor::measureSensor(const DepthFrame& frame) {
   StopWatch watch;
@@ -148,6 +161,7 @@ bool PlaneExtractor::check(const DepthFrame& frame, PlaneSegmentation& result) {
   result.width = std::max(0, frame.width());
   result.height = std::max(0, frame.height());
   result.planes.clear();
+  result.segments.clear();
   times_ = StageTimes();
   status_ = Status::Ok;
   error_ = parameters_.validate();
@@ -164,6 +178,7 @@ bool PlaneExtractor::fail(Status status, const std::string& error, PlaneSegmenta
   status_ = status;
   error_ = error;
   result.planes.clear();
+  result.segments.clear();
   if (status == Status::OutOfMemory || status == Status::Failed)
     result = PlaneSegmentation();  // takes no memory
   else

@@ -1,33 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Algorithm 1 on its own, line by line.
+// Counts the line segments of the result.
 #include "eval/comparison/line_statistics.h"
 
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "epcc_segmentation/plane_extractor.h"
 #include "eval/program/frame_sensor.h"
-#include "metric/line_clustering.h"
-#include "metric/scan_line.h"
 
 namespace epcc {
+namespace {
+
+/// Measured pixels, by column or by row.
+std::vector<int> samplesOfLines(const DepthImage& depth, ScanDirection scan) {
+  const bool rows = scan == ScanDirection::Rows;
+  std::vector<int> samples(static_cast<std::size_t>(rows ? depth.height : depth.width), 0);
+  for (int row = 0; row < depth.height; ++row)
+    for (int column = 0; column < depth.width; ++column)
+      if (depth.at(row, column) > 0.0F) ++samples[static_cast<std::size_t>(rows ? row : column)];
+  return samples;
+}
+
+}  // namespace
 
 LineStatistics lineStatistics(const LabelledFrame& frame, const Parameters& parameters, const std::string& sensor) {
   const DepthFrame image = DepthFrame::fromDepth(frame.depth.data.data(), frame.camera.camera);
-  const DepthFrame view = parameters.scan == ScanDirection::Rows ? image.transposed() : image;
-  const SensorModel model = frameSensor(sensor, frame.camera.noise, image, frame.name + ".json").model;
-  LineClustering clustering(parameters.paper);
-  ScanLine line;
-  LineSegments segments;
-  std::size_t lines = 0, samples = 0, members = 0, found = 0;
-  for (int column = 0; column < view.width(); ++column) {
-    readScanLine(view, model, column, line);
-    if (line.samples.empty()) continue;
-    clustering.cluster(line, segments);
-    ++lines;
-    samples += line.samples.size();
-    members += segments.members.size();
-    found += segments.segments.size();
+  Parameters with_lines = parameters;
+  with_lines.line_segments = true;
+  PlaneExtractor extractor(with_lines, frameSensor(sensor, frame.camera.noise, image, frame.name + ".json").model);
+  PlaneSegmentation segmentation;
+  if (!extractor.extract(image, segmentation)) throw std::runtime_error(frame.name + ": " + extractor.error());
+
+  std::int64_t lines = 0, samples = 0, members = 0;
+  for (const int count : samplesOfLines(frame.depth, parameters.scan)) {
+    lines += count > 0 ? 1 : 0;
+    samples += count;
   }
+  for (const LineSegment& segment : segmentation.segments) members += segment.samples;
   LineStatistics result;
   if (lines == 0) return result;
-  result.segments_per_line = static_cast<double>(found) / static_cast<double>(lines);
+  result.segments_per_line = static_cast<double>(segmentation.segments.size()) / static_cast<double>(lines);
   result.pixel_share = static_cast<double>(members) / static_cast<double>(samples);
   return result;
 }

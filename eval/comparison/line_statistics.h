@@ -14,7 +14,8 @@ struct LineStatistics {
   double pixel_share = 0.0;        ///< share of the measured pixels that belong to a segment
 };
 
-/// Runs Algorithm 1 with the parameters' scan direction. `sensor` as frameSensor() takes it.
+/// Segments the frame with parameters of the paper mode. `sensor` as frameSensor() takes it. Throws std::runtime_error
+/// if that fails.
 LineStatistics lineStatistics(const LabelledFrame& frame, const Parameters& parameters, const std::string& sensor);
 
 }  // namespace epcc

@@ -133,8 +133,7 @@ int runSegment(const SegmentOptions& options, std::ostream& out, std::ostream& e
   const InputList list = listInputs(options);
   if (!list.usage_problem.empty()) return complain(err, list.usage_problem, kExitUsage);
   if (list.several && options.namesOutputs()) {
-    return complain(err, "--labels, --planes, --overlay and --cloud take a single input; use --out DIR for several",
-                    kExitUsage);
+    return complain(err, kOneInputOnly, kExitUsage);
   }
   const std::string clash = checkOutputs(options, list.inputs);
   if (!clash.empty()) return complain(err, clash, kExitUsage);

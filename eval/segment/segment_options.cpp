@@ -135,6 +135,12 @@ void addOutputOptions(CLI::App& app, SegmentOptions& options) {
   add("--planes", options.planes, "OUT.json", "List of the planes")->excludes(out);
   add("--overlay", options.overlay, "OUT.png", "Picture of the labels on the depth")->excludes(out);
   add("--cloud", options.cloud, "OUT.pcd", "Labelled organized cloud")->excludes(out);
+  add("--segments", options.segments, "OUT.csv", "List of the line segments of the scan lines")->excludes(out);
+  add("--segments-picture", options.segments_picture, "OUT.png", "Picture of the line segments on the depth")
+      ->excludes(out);
+  app.add_flag("--with-segments", options.with_segments, "With --out: also NAME_segments.csv and NAME_segments.png")
+      ->needs(out)
+      ->group("Output");
   app.add_flag("--timing", options.timing, "Print the time of each stage")->group("Output");
 }
 
@@ -177,8 +183,10 @@ std::string settle(const RawOptions& raw, SegmentOptions& options) {
   const std::string problem = settleMethod(raw, options.parameters);
   if (!problem.empty()) return problem;
   if (options.inputs.size() > 1 && options.namesOutputs()) {
-    return "--labels, --planes, --overlay and --cloud take a single input; use --out DIR for several";
+    return kOneInputOnly;
   }
+  options.parameters.line_segments |=
+      options.with_segments || !options.segments.empty() || !options.segments_picture.empty();
   return std::string();
 }
 

@@ -20,6 +20,11 @@ struct CameraNumbers {
   double depth_scale = 0.001;  ///< metres per depth unit
 };
 
+/// Said of options that name an output file.
+constexpr const char* kOneInputOnly =
+    "--labels, --planes, --overlay, --cloud, --segments and --segments-picture take a single input; use --out DIR for "
+    "several";
+
 /// What epcc_segment is asked to do.
 struct SegmentOptions {
   std::vector<std::string> inputs;
@@ -31,11 +36,17 @@ struct SegmentOptions {
   std::string planes;
   std::string overlay;
   std::string cloud;
-  std::string out;  ///< folder; empty: the four above
+  std::string segments;
+  std::string segments_picture;
+  std::string out;             ///< folder; empty: the files above
+  bool with_segments = false;  ///< of the two files of line segments in the folder
   bool timing = false;
 
   bool givesCamera() const { return camera.has_value() || !camera_file.empty(); }
-  bool namesOutputs() const { return !(labels.empty() && planes.empty() && overlay.empty() && cloud.empty()); }
+  bool namesOutputs() const {
+    return !(labels.empty() && planes.empty() && overlay.empty() && cloud.empty() && segments.empty() &&
+             segments_picture.empty());
+  }
 };
 
 /// Reads the command line. Returns an exit code if the program is done (help, version, or an error that has been

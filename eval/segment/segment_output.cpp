@@ -9,8 +9,10 @@
 #include "datasets/files/organized_pcd.h"
 #include "datasets/files/plane_list.h"
 #include "datasets/files/png_io.h"
+#include "datasets/files/segment_list.h"
 #include "datasets/support/input_error.h"
 #include "eval/pictures/overlay.h"
+#include "eval/pictures/segment_picture.h"
 
 namespace epcc {
 namespace {
@@ -73,16 +75,23 @@ void refuseSpecialFiles(const OutputPaths& paths) {
 
 std::vector<std::string> OutputPaths::all() const {
   std::vector<std::string> paths;
-  for (const std::string* path : {&labels, &planes, &overlay, &cloud}) {
+  for (const std::string* path : {&labels, &planes, &overlay, &cloud, &segments, &segments_picture}) {
     if (!path->empty()) paths.push_back(*path);
   }
   return paths;
 }
 
 OutputPaths outputPaths(const SegmentOptions& options, const SegmentInput& input) {
-  if (options.out.empty()) return {options.labels, options.planes, options.overlay, options.cloud};
+  if (options.out.empty())
+    return {options.labels, options.planes, options.overlay, options.cloud, options.segments, options.segments_picture};
   const auto in_folder = [&](const char* suffix) { return (fs::path(options.out) / (input.name + suffix)).string(); };
-  return {in_folder("_labels.png"), in_folder("_planes.json"), in_folder("_overlay.png"), in_folder("_cloud.pcd")};
+  OutputPaths paths{
+      in_folder("_labels.png"), in_folder("_planes.json"), in_folder("_overlay.png"), in_folder("_cloud.pcd"), "", ""};
+  if (options.with_segments) {
+    paths.segments = in_folder("_segments.csv");
+    paths.segments_picture = in_folder("_segments.png");
+  }
+  return paths;
 }
 
 std::string checkOutputs(const SegmentOptions& options, const std::vector<SegmentInput>& inputs) {
@@ -108,6 +117,8 @@ void writeOutputs(const OutputPaths& paths, const LoadedFrame& loaded, const Pla
   if (!paths.cloud.empty())
     writeLabelledPcd(paths.cloud, loaded.width, loaded.height, pointsOf(loaded),
                      {result.labels.begin(), result.labels.end()});
+  if (!paths.segments.empty()) writeSegmentList(paths.segments, result.segments);
+  if (!paths.segments_picture.empty()) writeRgb(paths.segments_picture, drawSegments(loaded.depth, result.segments));
 }
 
 }  // namespace epcc

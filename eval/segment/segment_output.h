@@ -17,6 +17,8 @@ struct OutputPaths {
   std::string planes;
   std::string overlay;
   std::string cloud;
+  std::string segments;
+  std::string segments_picture;
 
   std::vector<std::string> all() const;
 };

@@ -44,8 +44,8 @@ inline bool isPerspective(Projection projection) {
 /// Non-owning view; the data must outlive it. Row-major. Cheap to copy.
 ///
 /// The algorithm works in a *scan frame* in which every scan line is a column: across (x), along the
-/// scan line (y), forward (z). scanPoint() gives a point in it; transposed() gives the view whose columns are this
-/// view's rows (Sec. 7.2 of the paper).
+/// scan line (y), forward (z). scanPoint() gives a point in it, fromScan() turns it back; transposed() gives the view
+/// whose columns are this view's rows (Sec. 7.2 of the paper).
 ///
 /// A view that cannot be used (no data, a camera of another size, ...) is empty(): status() and problem() say why.
 class EPCC_CORE_EXPORT DepthFrame {
@@ -83,6 +83,8 @@ class EPCC_CORE_EXPORT DepthFrame {
 
   /// Point in the scan frame, metres. False for an invalid pixel.
   bool scanPoint(int row, int column, Eigen::Vector3d& point) const;
+  /// A point of the scan frame in the sensor's own frame.
+  Eigen::Vector3d fromScan(const Eigen::Vector3d& scan_point) const;
   /// Point in the sensor's own frame, metres. False for an invalid pixel.
   bool point(int row, int column, Eigen::Vector3d& point) const;
   /// Of a pinhole frame (isPinhole()): the depths of a row in metres, 0 for invalid pixels, and the rays' slopes

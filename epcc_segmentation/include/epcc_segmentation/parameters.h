@@ -37,6 +37,10 @@ struct Parameters {
   /// other work needs them.
   int threads = 1;
 
+  /// Report the line segments too (PlaneSegmentation::segments). off | on, default off. Choose on to draw them, or to
+  /// build something else than planes on them.
+  bool line_segments = false;
+
   InverseDepthParameters inverse_depth;
   PaperParameters paper;
 

@@ -22,7 +22,7 @@ struct StageTimes {
   double lines = 0.0;    ///< scan lines -> line segments (Algorithm 1, S1)
   double planes = 0.0;   ///< line segments -> planes (Algorithm 2, S2)
   double regions = 0.0;  ///< join, merge, refine, reject (S3 to S8, inverse-depth mode)
-  double result = 0.0;   ///< labels, least-squares planes
+  double result = 0.0;   ///< labels, least-squares planes, line segments if asked for
   double total() const { return read + sensor + lines + planes + regions + result; }
 };
 
@@ -69,6 +69,7 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   int extractMetric(const DepthFrame& frame, PlaneSegmentation& result);
   int extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result);
   void measureSensor(const DepthFrame& frame);
+  void listSegments(const DepthFrame& frame, PlaneSegmentation& result) const;
 
   Parameters parameters_;
   SensorModel sensor_;

@@ -2,18 +2,13 @@
 // The result of a segmentation: a label for each pixel and the planes.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
-namespace epcc {
+#include "epcc_segmentation/line_segment.h"
+#include "epcc_segmentation/vectors.h"
 
-/// Vectors and matrices of the public structs. Eigen aligns its own to what the compiler's flags allow, and a program
-/// built with -mavx would see another size than the library: these have one layout everywhere.
-using Vector3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
-using Vector4 = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
-using Matrix3 = Eigen::Matrix<double, 3, 3, Eigen::DontAlign>;
-using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
+namespace epcc {
 
 /// One plane, in the sensor's frame and in metres.
 struct Plane {
@@ -48,6 +43,9 @@ struct PlaneSegmentation {
   int height = 0;
   std::vector<std::int32_t> labels;
   std::vector<Plane> planes;
+  /// The line segments of all scan lines if Parameters::line_segments asks for them: those of the columns, then those
+  /// of the rows; scan line by scan line, and in order along each.
+  std::vector<LineSegment> segments;
 };
 
 }  // namespace epcc

@@ -8,6 +8,7 @@
 #include "inverse_depth/boundary_refinement.h"
 #include "inverse_depth/evidence.h"
 #include "inverse_depth/region_merging.h"
+#include "inverse_depth/segment_records.h"
 #include "parallel_for.h"
 
 namespace epcc {
@@ -132,6 +133,13 @@ void InverseDepthPipeline::joinOccluded() {
   const RegionContacts contacts = findOccludedContacts(*image_, parameters.expert.merging.max_occluder,
                                                        parameters.expert.refinement.max_residual, map_);
   epcc::mergeRegions(contacts, parameters, sensor_, map_);
+}
+
+void InverseDepthPipeline::listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,
+                                        std::vector<LineSegment>& segments) const {
+  for (std::size_t k = 0; k < directions_.size(); ++k)
+    if (directions_[k].active())
+      appendSegments(k == 0 ? frame : frame.transposed(), sensor_, directions_[k].segmentOf(), labels, segments);
 }
 
 }  // namespace epcc

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/line_segment.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "inverse_depth/boundary_refinement.h"
@@ -35,6 +37,10 @@ class InverseDepthPipeline {
   /// Row-major labels, 0 or index into the regions + 1; some regions may be empty. They are the caller's to take away.
   std::vector<std::int32_t>& labels() { return map_.labels; }
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
+  /// The line segments of S1, columns first. `frame` is the one that was read, `labels` the final ones, in the order of
+  /// the caller's arrays.
+  void listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,
+                    std::vector<LineSegment>& segments) const;
 
  private:
   void inEachDirection(void (DirectionalPlanes::*step)(const InverseDepthImage&));

@@ -18,7 +18,7 @@ void LinePrototype::update(const Eigen::Vector2d& t) {
   fit(t);
 }
 
-void LineClustering::cluster(const ScanLine& line, LineSegments& result) {
+void LineClustering::cluster(const ScanLine& line, ClusteredLines& result) {
   result.clear();
   begin(result);
   for (const auto& sample : line.samples) add(sample);
@@ -29,7 +29,7 @@ void LineClustering::cluster(const ScanLine& line, LineSegments& result) {
   }
 }
 
-void LineClustering::begin(LineSegments& result) {
+void LineClustering::begin(ClusteredLines& result) {
   result_ = &result;
   has_active_ = false;
   buffer_.clear();
@@ -110,17 +110,14 @@ void LineClustering::takeMember(const ScanSample& sample) {
 void LineClustering::emitSegment() {
   if (!has_active_) return;
   has_active_ = false;
-  LineSegment segment;
+  ClusteredLine segment;
   segment.member_begin = member_begin_;
   segment.member_end = static_cast<int>(result_->members.size());
   segment.first = result_->members[static_cast<std::size_t>(member_begin_)];
   segment.last = result_->members.back();
   segment.prototype = active_;
-  const auto projected = [this](const Eigen::Vector2d& t) -> Eigen::Vector2d {
-    return t - active_.distance(t) * active_.normal;
-  };
-  segment.start = projected(first_sample_);
-  segment.end = projected(last_sample_);
+  segment.start = active_.project(first_sample_);
+  segment.end = active_.project(last_sample_);
   result_->segments.push_back(segment);
 }
 

@@ -19,6 +19,8 @@ struct LinePrototype {
 
   /// Signed orthogonal distance (Eq. 19 without its absolute value).
   double distance(const Eigen::Vector2d& t) const { return (t - statistics.mean).dot(normal); }
+  /// Foot of the perpendicular from a point (Eq. 21).
+  Eigen::Vector2d project(const Eigen::Vector2d& t) const { return t - distance(t) * normal; }
   /// Takes a sample into mean, covariance and normal.
   void fit(const Eigen::Vector2d& t);
   /// The same, and Eq. 11 with the distance to the prototype before the update.
@@ -28,11 +30,11 @@ struct LinePrototype {
 };
 
 /// A line segment of one scan line.
-struct LineSegment {
+struct ClusteredLine {
   int first = 0;  ///< pixel position of the first member along the scan line
   int last = 0;   ///< pixel position of the last member
   int member_begin = 0;
-  int member_end = 0;  ///< members are LineSegments::members[member_begin .. member_end)
+  int member_end = 0;  ///< members are ClusteredLines::members[member_begin .. member_end)
   LinePrototype prototype;
   /// Projections of the first and last member on the prototype (Eq. 21, signed), in the scan line's plane, metres.
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
@@ -43,8 +45,8 @@ struct LineSegment {
 };
 
 /// The segments of one scan line and their member pixels (positions along the line).
-struct LineSegments {
-  std::vector<LineSegment> segments;
+struct ClusteredLines {
+  std::vector<ClusteredLine> segments;
   std::vector<int> members;
   void clear() {
     segments.clear();
@@ -62,10 +64,10 @@ class LineClustering {
   }
 
   /// Clusters a whole scan line; `result` is cleared first.
-  void cluster(const ScanLine& line, LineSegments& result);
+  void cluster(const ScanLine& line, ClusteredLines& result);
 
   /// The same in steps, for streams: begin, add each sample, finish. `result` grows at each finished segment.
-  void begin(LineSegments& result);
+  void begin(ClusteredLines& result);
   void add(const ScanSample& sample);
   void finish();
 
@@ -78,7 +80,7 @@ class LineClustering {
 
   double k_max_ = 0.0;
   PaperParameters::Lines parameters_;
-  LineSegments* result_ = nullptr;
+  ClusteredLines* result_ = nullptr;
   bool has_active_ = false;
   LinePrototype active_;
   int member_begin_ = 0;

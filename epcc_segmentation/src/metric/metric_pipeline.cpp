@@ -2,6 +2,7 @@
 // The paper's two algorithms in sequence.
 #include "metric/metric_pipeline.h"
 
+#include "metric/segment_record.h"
 #include "parallel_for.h"
 
 namespace epcc {
@@ -37,18 +38,27 @@ void MetricPipeline::clusterPlanes(const DepthFrame& view) {
 
 int MetricPipeline::labelPixels(const DepthFrame& view, std::vector<std::int32_t>& labels) const {
   std::vector<long> points(plane_clustering_.planes().size(), 0);
-  forEachLabelled([&](std::size_t plane, int, const LineSegments&, const LineSegment& segment) {
+  forEachLabelled([&](std::size_t plane, int, const ClusteredLines&, const ClusteredLine& segment) {
     points[plane] += segment.member_end - segment.member_begin;
   });
   std::vector<std::int32_t> label_of(points.size(), 0);
   std::int32_t count = 0;
   for (std::size_t plane = 0; plane < points.size(); ++plane)
     if (points[plane] > 0 && points[plane] >= parameters_.paper.min_points) label_of[plane] = ++count;
-  forEachLabelled([&](std::size_t plane, int column, const LineSegments& line, const LineSegment& segment) {
+  forEachLabelled([&](std::size_t plane, int column, const ClusteredLines& line, const ClusteredLine& segment) {
     for (int i = segment.member_begin; i < segment.member_end; ++i)
       labels[view.index(line.members[static_cast<std::size_t>(i)], column)] = label_of[plane];
   });
   return count;
+}
+
+void MetricPipeline::listSegments(const DepthFrame& view, const std::vector<std::int32_t>& labels,
+                                  std::vector<LineSegment>& segments) const {
+  for (int column = 0; column < view.width(); ++column)
+    for (const ClusteredLine& line : line_segments_[static_cast<std::size_t>(column)].segments) {
+      segments.push_back(lineSegmentOf(view, column, line));
+      segments.back().label = labels[view.index(line.first, column)];  // all of its pixels have it
+    }
 }
 
 template <typename Visit>

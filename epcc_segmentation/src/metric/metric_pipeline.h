@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/line_segment.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "metric/line_clustering.h"
@@ -24,6 +25,9 @@ class MetricPipeline {
   void clusterPlanes(const DepthFrame& view);  ///< Algorithm 2
   /// A pixel takes its segment's plane; planes with too few pixels are dropped. Returns the number of planes.
   int labelPixels(const DepthFrame& view, std::vector<std::int32_t>& labels) const;
+  /// All line segments with the labels that their pixels have in the end.
+  void listSegments(const DepthFrame& view, const std::vector<std::int32_t>& labels,
+                    std::vector<LineSegment>& segments) const;
 
  private:
   template <typename Visit>
@@ -31,9 +35,9 @@ class MetricPipeline {
 
   Parameters parameters_;
   SensorModel sensor_;
-  std::vector<ScanLine> scan_lines_;         // one a thread
-  std::vector<LineClustering> clusterings_;  // one a thread
-  std::vector<LineSegments> line_segments_;  // one a scan line
+  std::vector<ScanLine> scan_lines_;           // one a thread
+  std::vector<LineClustering> clusterings_;    // one a thread
+  std::vector<ClusteredLines> line_segments_;  // one a scan line
   PlaneClustering plane_clustering_;
 };
 

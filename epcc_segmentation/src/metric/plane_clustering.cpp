@@ -57,7 +57,7 @@ void PlaneClustering::begin(Projection projection) {
   planes_.clear();
 }
 
-void PlaneClustering::addLine(const std::vector<LineSegment>& line_segments) {
+void PlaneClustering::addLine(const std::vector<ClusteredLine>& line_segments) {
   const std::size_t line = lines_.size();
   lines_.push_back({segments_.size(), segments_.size() + line_segments.size()});
   for (const auto& line_segment : line_segments) segments_.push_back(makeSegment(line_segment));
@@ -81,7 +81,7 @@ void PlaneClustering::finish() {
       label = kUnlabelled;
 }
 
-PlaneClustering::Segment PlaneClustering::makeSegment(const LineSegment& line_segment) const {
+PlaneClustering::Segment PlaneClustering::makeSegment(const ClusteredLine& line_segment) const {
   const auto depth = [this](const Eigen::Vector3d& p) { return isPerspective(projection_) ? p.z() : p.norm(); };
   Segment segment;
   segment.a = line_segment.a;

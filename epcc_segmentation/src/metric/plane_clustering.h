@@ -44,7 +44,7 @@ class PlaneClustering {
   /// Forgets everything; `projection` is that of the lines to come.
   void begin(Projection projection);
   /// Clusters the segments of the next scan line.
-  void addLine(const std::vector<LineSegment>& segments);
+  void addLine(const std::vector<ClusteredLine>& segments);
   /// Drops small planes. Afterwards labels() are final.
   void finish();
 
@@ -64,7 +64,7 @@ class PlaneClustering {
     std::size_t begin, end;  // segments
   };
 
-  Segment makeSegment(const LineSegment& line_segment) const;
+  Segment makeSegment(const ClusteredLine& line_segment) const;
   double cost(const PlanePrototype& plane, const Segment& segment) const;
   int bestPlane(const Segment& segment, std::size_t line) const;
   std::size_t startPartner(const Segment& segment, std::size_t line) const;

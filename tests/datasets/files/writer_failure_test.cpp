@@ -11,6 +11,7 @@
 #include "datasets/files/organized_pcd.h"
 #include "datasets/files/plane_list.h"
 #include "datasets/files/png_io.h"
+#include "datasets/files/segment_list.h"
 #include "datasets/support/atomic_file.h"
 #include "tests/support/expect_errors.h"
 
@@ -156,6 +157,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Writer{"Rgb", [](const std::string& path) { writeRgb(path, noise<ColorImage>(50, 40)); }},
                       Writer{"Text", [](const std::string& path) { writeTextFile(path, std::string(100000, 'x')); }},
                       Writer{"Camera", writeCamera}, Writer{"PlaneList", writePlanes},
+                      Writer{"SegmentList",
+                             [](const std::string& path) { writeSegmentList(path, std::vector<LineSegment>(2000)); }},
                       Writer{"LabelledPcd", writeCloud}),
     [](const auto& case_info) { return std::string(case_info.param.name); });
 

@@ -9,7 +9,7 @@
 
 namespace {
 
-using epcc::LineSegments;
+using epcc::ClusteredLines;
 using epcc::PaperParameters;
 using epcc::ScanLine;
 using epcc::SensorModel;
@@ -33,9 +33,9 @@ ScanLine profile(const std::function<double(int)>& z, const SensorModel& sensor)
   return line;
 }
 
-LineSegments cluster(const ScanLine& line, const PaperParameters& parameters = {}) {
+ClusteredLines cluster(const ScanLine& line, const PaperParameters& parameters = {}) {
   epcc::LineClustering clustering(parameters);
-  LineSegments result;
+  ClusteredLines result;
   clustering.cluster(line, result);
   return result;
 }
@@ -152,7 +152,7 @@ TEST(LineClustering, FeedingSampleBySampleGivesTheSameSegments) {
   const ScanLine line = profile([](int row) { return row < 80 ? 2.0 : 2.0 + 0.01 * row; }, kSensor);
   const auto whole = cluster(line);
   epcc::LineClustering clustering{PaperParameters()};
-  LineSegments stream;
+  ClusteredLines stream;
   clustering.begin(stream);
   for (const auto& sample : line.samples) clustering.add(sample);
   clustering.finish();

@@ -6,8 +6,8 @@
 
 namespace {
 
+using epcc::ClusteredLine;
 using epcc::EndpointWeight;
-using epcc::LineSegment;
 using epcc::PaperParameters;
 using epcc::PlaneClustering;
 using epcc::PlaneCriterion;
@@ -15,8 +15,8 @@ using epcc::Projection;
 using epcc::SensorModel;
 
 /// A vertical segment of the plane z = depth at the lateral position x.
-LineSegment vertical(double x, double depth, double low = -0.5, double high = 0.5) {
-  LineSegment segment;
+ClusteredLine vertical(double x, double depth, double low = -0.5, double high = 0.5) {
+  ClusteredLine segment;
   segment.a = {x, low, depth};
   segment.b = {x, high, depth};
   return segment;
@@ -85,7 +85,7 @@ TEST_F(PlaneClusteringTest, AStepBeyondTheNoiseStartsItsOwnPlane) {
 
 TEST_F(PlaneClusteringTest, SegmentsOfDifferentDirectionStartNothing) {
   auto clustering = make();
-  LineSegment tilted = vertical(0.01, 2.0);
+  ClusteredLine tilted = vertical(0.01, 2.0);
   tilted.b.x() += std::tan(25.0 * M_PI / 180.0);  // 25 degrees within the plane; the limit is 20
   clustering.addLine({vertical(0.0, 2.0)});
   clustering.addLine({tilted});
@@ -117,7 +117,7 @@ TEST_F(PlaneClusteringTest, TheFourCriteriaOfTable2DifferByTheirVariances) {
     parameters_.criterion = criterion;
     auto clustering = make();
     for (int i = 0; i < 10; ++i) clustering.addLine({vertical(0.01 * i, 2.0)});
-    LineSegment next = vertical(0.1, 2.005);
+    ClusteredLine next = vertical(0.1, 2.005);
     next.prototype.variance = segment_sigma * segment_sigma;
     clustering.addLine({next});
     return clustering.labels().back() == 0;

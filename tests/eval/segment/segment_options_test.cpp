@@ -38,11 +38,34 @@ TEST_F(SegmentOptions, HelpNamesEveryOption) {
   const ToolResult help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* option :
-       {"--camera",       "--fx",      "--fy",         "--cx",          "--cy",      "--depth-scale", "--mode",
-        "--noise",        "--scan",    "--line-k-max", "--plane-k-max", "--max-gap", "--min-points",  "--criterion",
-        "--plane-weight", "--threads", "--labels",     "--planes",      "--overlay", "--cloud",       "--out",
-        "--timing",       "--version", "--help",       "Exit codes"}) {
+  for (const char* option : {"--camera",
+                             "--fx",
+                             "--fy",
+                             "--cx",
+                             "--cy",
+                             "--depth-scale",
+                             "--mode",
+                             "--noise",
+                             "--scan",
+                             "--line-k-max",
+                             "--plane-k-max",
+                             "--max-gap",
+                             "--min-points",
+                             "--criterion",
+                             "--plane-weight",
+                             "--segments ",
+                             "--segments-picture",
+                             "--with-segments",
+                             "--threads",
+                             "--labels",
+                             "--planes",
+                             "--overlay",
+                             "--cloud",
+                             "--out",
+                             "--timing",
+                             "--version",
+                             "--help",
+                             "Exit codes"}) {
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   }
 }

@@ -35,6 +35,26 @@ TEST_F(SegmentOutput, WritesAllFour) {
   EXPECT_EQ(cloud.height, 48);
 }
 
+TEST_F(SegmentOutput, SegmentsOfBothModes) {
+  for (const char* mode : {"paper", "default"}) {
+    const ToolResult result =
+        run({"room_depth.png", "--mode", mode, "--segments", "s.csv", "--segments-picture", "s.png"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string csv = read("s.csv");
+    EXPECT_EQ(csv.rfind("scan,line,first_px,", 0), 0U) << csv.substr(0, 100);
+    EXPECT_GE(std::count(csv.begin(), csv.end(), '\n'), 1 + 64) << mode;  // a segment a column at the least
+    EXPECT_EQ(csv.find("\nrow,") != std::string::npos, mode == std::string("default"));
+    EXPECT_EQ(read("s.png").substr(1, 3), "PNG");
+  }
+}
+
+TEST_F(SegmentOutput, FolderWithSegments) {
+  EXPECT_EQ(run({"room_depth.png", "--out", "out", "--with-segments"}).exit_code, 0);
+  EXPECT_EQ(names("out"), (Names{"room_cloud.pcd", "room_labels.png", "room_overlay.png", "room_planes.json",
+                                 "room_segments.csv", "room_segments.png"}));
+  expectFailure({"room_depth.png", "--with-segments"}, 2, "--out");
+}
+
 TEST_F(SegmentOutput, CloudAndDepthImageAgree) {
   writeCloud("room.pcd");
   ASSERT_EQ(run({"room_depth.png", "--labels", "depth.png"}).exit_code, 0);
@@ -107,7 +127,7 @@ TEST_F(SegmentOutput, SeveralInputsWithoutOutputs) {
 
 TEST_F(SegmentOutput, SingleFileOutputsNeedASingleInput) {
   writeFrame("set/a");
-  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud"}) {
+  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud", "--segments", "--segments-picture"}) {
     expectFailure({"room_depth.png", "set/a_depth.png", option, "x"}, 2, "single input");
     expectFailure({"set", option, "x"}, 2, "single input");
     expectFailure({"room_depth.png", "--out", "out", option, "x"}, 2, "--out");
@@ -135,7 +155,7 @@ TEST_F(SegmentOutput, InputsOfTheSameNameClash) {
 }
 
 TEST_F(SegmentOutput, OutputThatCannotBeWritten) {
-  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud"}) {
+  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud", "--segments", "--segments-picture"}) {
     expectFailure({"room_depth.png", option, "missing/x"}, 4, "missing/x: ");
   }
   write("file", "kept");
@@ -148,7 +168,7 @@ TEST_F(SegmentOutput, OutputThatCannotBeWritten) {
 // A pipe stands for every special file: renaming onto /dev/null as root would replace the device.
 TEST_F(SegmentOutput, OutputThatIsADeviceOrPipe) {
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
-  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud"}) {
+  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud", "--segments", "--segments-picture"}) {
     expectFailure({"room_depth.png", option, "pipe"}, 4, "pipe: file: is not a regular file");
     EXPECT_TRUE(std::filesystem::is_fifo(path("pipe")));
   }

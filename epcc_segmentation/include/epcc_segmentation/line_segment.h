@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A line segment of the image's sections, the paper's list M: what Algorithm 1, or S1, finds in one scan line.
+#pragma once
+
+#include <cstdint>
+
+#include "epcc_segmentation/parameters.h"
+#include "epcc_segmentation/vectors.h"
+
+namespace epcc {
+
+/// A straight run of samples of one image column or row. Its section is the plane through the sensor that the column
+/// or row sees, with the coordinates
+/// - t1: distance from the scan axis, sqrt(x^2 + z^2) of a column, sqrt(y^2 + z^2) of a row, sqrt(x^2 + y^2) of the
+///   column of a spherical scan;
+/// - t2: place along the axis, in the order of the pixels: y of a column (-y if y is up), x of a row, -z of a spherical
+///   scan.
+/// The line passes through `mean` along the main axis of `covariance`; in the paper mode these are the prototype's own.
+/// In the inverse-depth mode, which grows its lines in inverse depth, they are those of the samples it took, in metres.
+struct LineSegment {
+  ScanDirection scan = ScanDirection::Columns;  ///< Columns: part of an image column; Rows: part of a row
+  int line = 0;                                 ///< which column or row
+  int first = 0;                                ///< where in it the first sample lies: the row, or the column ...
+  int last = 0;                                 ///< ... and the last
+  /// Samples taken; pixels between first and last that are not measured or were rejected do not count.
+  int samples = 0;
+  /// 0 or the plane of the samples as in PlaneSegmentation::labels; inverse-depth mode: the label that most of them
+  /// have.
+  std::int32_t label = 0;
+  Vector3 start = Vector3::Zero();       ///< first sample, projected on the line (Eq. 21); the sensor's frame, metres
+  Vector3 end = Vector3::Zero();         ///< last sample, the same
+  Vector2 mean = Vector2::Zero();        ///< of the samples (t1, t2), metres
+  Matrix2 covariance = Matrix2::Zero();  ///< of the samples, normalised by n - 1, m^2
+  /// Variance of the samples' distances from the line, m^2. Paper mode: sigma_seg^2 by the recursion of Eq. 11, which
+  /// takes each distance before the line has learnt from it; inverse-depth mode: the smaller eigenvalue of
+  /// `covariance`.
+  double variance = 0.0;
+
+  /// Row and column of the pixel at a place in the scan line.
+  int row(int position) const { return scan == ScanDirection::Columns ? position : line; }
+  int column(int position) const { return scan == ScanDirection::Columns ? line : position; }
+};
+
+static_assert(sizeof(LineSegment) == 128 && alignof(LineSegment) == alignof(double), "one layout for all flags");
+
+}  // namespace epcc
