@@ -33,7 +33,7 @@ struct RawOptions {
   std::optional<double> line_k_max, plane_k_max, max_gap;
   std::optional<int> min_points;
   std::string criterion;
-  std::string plane_weight;
+  std::optional<std::string> plane_weight;
 };
 
 // Help without CLI11's lists of what an option needs and excludes: they are longer than the help itself.
@@ -157,7 +157,7 @@ std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
   parameters.mode = paper ? Mode::Paper : Mode::InverseDepth;
   if (!paper && raw.max_gap) return "--max-gap belongs to the paper mode";
   if (!paper && !raw.criterion.empty()) return "--criterion belongs to the paper mode";
-  if (!paper && !raw.plane_weight.empty()) return "--plane-weight belongs to the paper mode";
+  if (!paper && raw.plane_weight) return "--plane-weight belongs to the paper mode";
   if (raw.scan == "columns") parameters.scan = ScanDirection::Columns;
   if (raw.scan == "rows") parameters.scan = ScanDirection::Rows;
   if (raw.scan == "both") parameters.scan = ScanDirection::Both;
@@ -166,8 +166,8 @@ std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
   if (raw.max_gap) parameters.paper.max_gap = *raw.max_gap;
   if (raw.min_points) (paper ? parameters.paper.min_points : parameters.inverse_depth.min_points) = *raw.min_points;
   if (!raw.criterion.empty()) parameters.paper.criterion = static_cast<PlaneCriterion>(raw.criterion[0] - 'a');
-  if (!raw.plane_weight.empty()) {
-    const std::string problem = setParameter("paper.endpoint_weight=" + raw.plane_weight, parameters);
+  if (raw.plane_weight) {
+    const std::string problem = setParameter("paper.endpoint_weight=" + *raw.plane_weight, parameters);
     if (!problem.empty()) return "--plane-weight: " + problem;
   }
   for (const std::string& assignment : raw.assignments) {

@@ -140,6 +140,7 @@ TEST_F(SegmentOptions, PlaneWeight) {
     good({"--mode", "paper", "--plane-weight", form});
   EXPECT_EQ(good({"--mode", "paper"}).out, good({"--mode", "paper", "--plane-weight", "printed"}).out);
   usage({"--plane-weight", "printed"}, "--plane-weight belongs to the paper mode");
+  usage({"--mode", "paper", "--plane-weight", ""}, "none, not ''");
   usage({"--mode", "paper", "--plane-weight", "linear"},
         "printed | exponential | gaussian | cauchy | huber | none, not 'linear'");
 }
