@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Magic, version, length of the header, a Python dictionary as text, the values.
+// A .npy file is a signature, version, length of the header, a Python dictionary as text, and then the values.
 #include "datasets/files/npy_labels.h"
 
 #include <cmath>
@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "datasets/support/input_error.h"
+#include "datasets/support/raw_value.h"
 
 namespace epcc {
 
 namespace {
 
-constexpr std::size_t kLongestHeader = 65535;
+constexpr std::size_t kMaxHeaderBytes = 65535;
 
 /// Text of the header; `in` is left at the first value.
 std::string readHeader(const std::string& path, std::istream& in) {
@@ -25,7 +26,7 @@ std::string readHeader(const std::string& path, std::istream& in) {
   if (start[6] < 1 || start[6] > 3) throw InputError(path, "version", "is not 1, 2 or 3");
   std::size_t length = 0;
   for (int i = 0; i < length_bytes; ++i) length |= static_cast<std::size_t>(in.get() & 0xff) << (8 * i);
-  if (!in || length > kLongestHeader) throw InputError(path, "header", "is cut short or too long");
+  if (!in || length > kMaxHeaderBytes) throw InputError(path, "header", "is cut short or too long");
   std::string header(length, '\0');
   if (!in.read(header.data(), static_cast<std::streamsize>(length))) throw InputError(path, "header", "is cut short");
   return header;
@@ -53,27 +54,21 @@ void checkShape(const std::string& path, const std::string& shape, int width, in
   throw InputError(path, "shape", shape + ") is neither (" + rows + ", " + columns + ") nor (" + all + ",)");
 }
 
-template <typename T>
-double valueAs(const unsigned char* bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return static_cast<double>(value);
-}
-
-struct Type {
+/// A type of numbers, named as NumPy names it.
+struct NpyType {
   const char* name;
   std::size_t size;
   double (*value)(const unsigned char*);
 };
-constexpr Type kTypes[] = {
+constexpr NpyType kTypes[] = {
     {"b1", 1, valueAs<std::uint8_t>},  {"u1", 1, valueAs<std::uint8_t>},  {"i1", 1, valueAs<std::int8_t>},
     {"u2", 2, valueAs<std::uint16_t>}, {"i2", 2, valueAs<std::int16_t>},  {"u4", 4, valueAs<std::uint32_t>},
     {"i4", 4, valueAs<std::int32_t>},  {"u8", 8, valueAs<std::uint64_t>}, {"i8", 8, valueAs<std::int64_t>},
     {"f4", 4, valueAs<float>},         {"f8", 8, valueAs<double>}};
 
 /// `text` is for example '<f8', quotes included.
-const Type& typeOf(const std::string& path, const std::string& text) {
-  for (const Type& type : kTypes)
+const NpyType& typeOf(const std::string& path, const std::string& text) {
+  for (const NpyType& type : kTypes)
     if (text.size() == 5 && text.compare(2, 2, type.name) == 0 && (text[1] == '<' || type.size == 1)) return type;
   throw InputError(path, "descr", text + " is not a little-endian integer or float");
 }
@@ -84,7 +79,7 @@ LabelImage readNpyLabels(const std::string& path, int width, int height) {
   const std::uintmax_t file_size = inputFileSize(path);
   std::ifstream in(path, std::ios::binary);
   const std::string header = readHeader(path, in);
-  const Type& type = typeOf(path, entry(path, header, "descr"));
+  const NpyType& type = typeOf(path, entry(path, header, "descr"));
   if (entry(path, header, "fortran_order") != "False") throw InputError(path, "fortran_order", "is not False");
   checkShape(path, entry(path, header, "shape"), width, height);
   const auto start = static_cast<std::uintmax_t>(in.tellg());

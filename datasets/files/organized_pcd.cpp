@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The payload of a PCD file whose header has been checked, by hand: PCL 1.13's reader parses the header again and
-// trusts it, its writer leaks when the disk is full. liblzf packs and unpacks.
+// The payload of a PCD file whose header has been checked, without PCL, whose reader (1.13) parses the header again and
+// trusts it, and whose writer leaks when the disk is full. liblzf packs and unpacks.
 #include "datasets/files/organized_pcd.h"
 
 #include <liblzf/lzf.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string_view>
 
@@ -19,6 +19,8 @@
 #include "datasets/files/pcd_header.h"
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
+#include "datasets/support/number_text.h"
+#include "datasets/support/raw_value.h"
 
 namespace epcc {
 
@@ -27,15 +29,8 @@ namespace {
 const PcdField& coordinate(const std::string& path, const PcdHeader& header, const char* name) {
   const PcdField* field = header.field(name);
   if (field == nullptr) throw InputError(path, "FIELDS", std::string("no field ") + name);
-  if (field->type != 'F' || field->count != 1) throw InputError(path, "TYPE", std::string(name) + " is not a float");
+  if (field->count != 1) throw InputError(path, "COUNT", std::string(name) + " is not a single number");
   return *field;
-}
-
-template <typename T>
-double valueAs(const std::uint8_t* bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return static_cast<double>(value);
 }
 
 double valueOf(const PcdField& field, const std::uint8_t* bytes) {
@@ -87,19 +82,26 @@ bool isBlank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+/// NaN and infinity as older Microsoft runtimes print them: 1.#QNAN, -1.#IND, 1.#INF, padded with zeros.
+bool isMicrosoftNaN(std::string_view word) {
+  if (!word.empty() && word[0] == '-') word.remove_prefix(1);
+  while (!word.empty() && word.back() == '0') word.remove_suffix(1);
+  return word == "1.#QNAN" || word == "1.#SNAN" || word == "1.#IND" || word == "1.#INF";
+}
+
 /// Takes the next number off the front of `row`; false if there is none. It does not depend on the locale.
 bool takeNumber(const std::string& path, std::size_t point, std::string_view& row, double& value) {
   const auto start = std::find_if_not(row.begin(), row.end(), isBlank);
   const auto end = std::find_if(start, row.end(), isBlank);
   if (start == end) return false;
-  const char* const last = row.data() + (end - row.begin());
-  const char* first = row.data() + (start - row.begin());
-  const std::string word(first, last);
-  if (*first == '+' && last - first > 1 && first[1] != '-') ++first;
-  const auto parsed = std::from_chars(first, last, value);
-  if (parsed.ec != std::errc() || parsed.ptr != last)
-    throw InputError(path, "DATA",
-                     "'" + printable(word, 40) + "' at point " + std::to_string(point) + " is not a number");
+  const std::string_view word =
+      row.substr(static_cast<std::size_t>(start - row.begin()), static_cast<std::size_t>(end - start));
+  const std::optional<double> number = isMicrosoftNaN(word) ? std::nan("") : numberFrom(word);
+  if (!number)
+    throw InputError(
+        path, "DATA",
+        "'" + printable(std::string(word), 40) + "' at point " + std::to_string(point) + " is not a number");
+  value = *number;
   row.remove_prefix(static_cast<std::size_t>(end - row.begin()));
   return true;
 }

@@ -15,8 +15,9 @@ struct OrganizedCloud {
   std::vector<float> label;  ///< one a point if a label field was asked for, else empty
 };
 
-/// Reads an organized cloud with float fields x, y, z. `label_field` names one more field of any type, which must
-/// then exist. Line ends may be CR LF. Everything that is wrong with the file is an InputError.
+/// Reads an organized cloud with fields x, y, z of any type; their numbers are taken as metres. `label_field` names one
+/// more field of any type, which must then exist. Line ends may be CR LF. Everything that is wrong with the file is an
+/// InputError.
 OrganizedCloud readOrganizedPcd(const std::string& path, const std::string& label_field = "");
 
 /// Writes fields x y z label, organized, binary_compressed. xyz has 3 values a point.

@@ -14,11 +14,11 @@ namespace epcc {
 
 namespace {
 
-constexpr std::size_t kLongestHeader = 64 * 1024;
-constexpr int kMostFields = 256;
-constexpr int kLargestPoint = 4096;
+constexpr std::size_t kMaxHeaderBytes = 64 * 1024;
+constexpr int kMaxFields = 256;
+constexpr int kMaxPointBytes = 4096;
 /// No LZF stream grows by more when it is unpacked (three bytes stand for 264 at most).
-constexpr std::uint32_t kBestCompression = 100;
+constexpr std::uint32_t kMaxCompression = 100;
 
 using Lines = std::map<std::string, std::vector<std::string>>;
 
@@ -31,7 +31,7 @@ bool isHeaderKey(const std::string& key) {
 /// The header's lines by key, up to DATA; `data_offset` is the first byte behind it.
 Lines splitHeader(const std::string& path, std::uintmax_t& data_offset) {
   std::ifstream in(path, std::ios::binary);
-  std::string text(kLongestHeader, '\0');
+  std::string text(kMaxHeaderBytes, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
   Lines lines;
@@ -88,7 +88,7 @@ std::vector<PcdField> readFields(const std::string& path, const Lines& lines) {
   const auto& types = valuesOf(path, lines, "TYPE");
   const std::vector<std::string> ones(names.size(), "1");
   const auto& counts = lines.count("COUNT") != 0 ? valuesOf(path, lines, "COUNT") : ones;
-  if (names.size() > kMostFields) throw InputError(path, "FIELDS", "more than " + std::to_string(kMostFields));
+  if (names.size() > kMaxFields) throw InputError(path, "FIELDS", "more than " + std::to_string(kMaxFields));
   if (sizes.size() != names.size()) throw InputError(path, "SIZE", "needs a value for each field");
   if (types.size() != names.size()) throw InputError(path, "TYPE", "needs a value for each field");
   if (counts.size() != names.size()) throw InputError(path, "COUNT", "needs a value for each field");
@@ -104,10 +104,10 @@ std::vector<PcdField> readFields(const std::string& path, const Lines& lines) {
       throw InputError(path, "TYPE", "'" + types[i] + "' is not F, I or U");
     field.type = types[i][0];
     if (field.type == 'F' && field.size < 4) throw InputError(path, "SIZE", "of a float must be 4 or 8");
-    field.count = static_cast<int>(wholeNumber(path, "COUNT", counts[i], 1, kLargestPoint));
+    field.count = static_cast<int>(wholeNumber(path, "COUNT", counts[i], 1, kMaxPointBytes));
     field.offset = offset;
     offset += field.size * field.count;
-    if (offset > kLargestPoint) throw InputError(path, "COUNT", "points of more than 4096 bytes");
+    if (offset > kMaxPointBytes) throw InputError(path, "COUNT", "points of more than 4096 bytes");
     fields.push_back(field);
   }
   return fields;
@@ -151,7 +151,7 @@ void checkPayload(const std::string& path, const PcdHeader& header, std::uintmax
   in.seekg(static_cast<std::streamoff>(header.data_offset));
   in.read(reinterpret_cast<char*>(sizes), sizeof sizes);
   if (!in) throw InputError(path, "DATA", "ends before the compressed sizes");
-  if (sizes[1] / kBestCompression > sizes[0]) throw InputError(path, "DATA", "uncompressed size is impossibly large");
+  if (sizes[1] / kMaxCompression > sizes[0]) throw InputError(path, "DATA", "uncompressed size is impossibly large");
   if (sizes[0] > payload - sizeof sizes) throw InputError(path, "DATA", "is shorter than its compressed size");
   if (sizes[1] != points * static_cast<std::uintmax_t>(header.point_size))
     throw InputError(path, "DATA", "uncompressed size is not WIDTH x HEIGHT points");
@@ -169,7 +169,6 @@ PcdHeader readPcdHeader(const std::string& path) {
   const std::uintmax_t file_size = inputFileSize(path);
   PcdHeader header;
   const Lines lines = splitHeader(path, header.data_offset);
-  valuesOf(path, lines, "VERSION");
   header.data = readDataKind(path, lines);
   header.fields = readFields(path, lines);
   if (header.data == PcdData::BinaryCompressed) dropPadding(path, header.fields);

@@ -31,8 +31,8 @@ struct PcdHeader {
   const PcdField* field(const std::string& name) const;
 };
 
-/// Reads and checks the header of an organized cloud: every line present and in range, in 64-bit arithmetic, and the
-/// payload it promises not larger than the file can hold. InputError names the line.
+/// Reads and checks the header of an organized cloud: every line that is needed present and in range, in 64-bit
+/// arithmetic, and the payload it promises not larger than the file can hold. InputError names the line.
 PcdHeader readPcdHeader(const std::string& path);
 
 }  // namespace epcc
