@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists, reads and writes labelled frames.
+// Reads and writes the three files of a frame, and checks their sizes against each other.
 #include "datasets/files/labelled_frame.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "datasets/files/png_io.h"
+#include "datasets/support/folder_listing.h"
 #include "datasets/support/input_error.h"
 
 namespace epcc {
@@ -14,7 +14,9 @@ namespace epcc {
 namespace {
 
 namespace fs = std::filesystem;
-const std::string kDepthEnding = "_depth.png";
+const char kDepthEnding[] = "_depth.png";
+const char kLabelsEnding[] = "_labels.png";
+const char kCameraEnding[] = ".json";
 
 std::string pathOf(const std::string& folder, const std::string& name, const char* ending) {
   return (fs::path(folder) / (name + ending)).string();
@@ -42,30 +44,18 @@ DepthFrame frameView(const LabelledFrame& frame) {
 }
 
 std::vector<std::string> listLabelledFrames(const std::string& folder) {
-  std::error_code code;
-  fs::directory_iterator entries(folder, code);
-  if (code) throw InputError(folder, "folder", code.message());
-  std::vector<std::string> names;
-  for (; entries != fs::directory_iterator(); entries.increment(code)) {
-    const std::string file = entries->path().filename().string();
-    if (file.size() > kDepthEnding.size() &&
-        file.compare(file.size() - kDepthEnding.size(), kDepthEnding.size(), kDepthEnding) == 0)
-      names.push_back(file.substr(0, file.size() - kDepthEnding.size()));
-  }
-  if (code) throw InputError(folder, "folder", code.message());
-  std::sort(names.begin(), names.end());
-  return names;
+  return filesEndingIn(folder, kDepthEnding);
 }
 
 LabelledFrame readLabelledFrame(const std::string& folder, const std::string& name) {
   LabelledFrame frame;
   frame.name = name;
-  frame.camera = readCameraJson(pathOf(folder, name, ".json"));
-  const std::string depth_path = pathOf(folder, name, kDepthEnding.c_str());
+  frame.camera = readCameraJson(existingFile(pathOf(folder, name, kCameraEnding)));
+  const std::string depth_path = existingFile(pathOf(folder, name, kDepthEnding));
   const auto raw = readGray16(depth_path);
   checkSize(depth_path, raw, frame.camera.camera);
   frame.depth = depthFromPng(raw, frame.camera.depth_scale);
-  const std::string labels_path = pathOf(folder, name, "_labels.png");
+  const std::string labels_path = existingFile(pathOf(folder, name, kLabelsEnding));
   std::error_code code;
   if (fs::exists(labels_path, code)) {
     frame.labels = readGray16(labels_path);
@@ -76,17 +66,17 @@ LabelledFrame readLabelledFrame(const std::string& folder, const std::string& na
 }
 
 void writeLabelledFrame(const std::string& folder, const LabelledFrame& frame) {
-  checkSizeToWrite(pathOf(folder, frame.name, kDepthEnding.c_str()), frame.depth, frame.camera.camera);
+  checkSizeToWrite(pathOf(folder, frame.name, kDepthEnding), frame.depth, frame.camera.camera);
   if (!frame.labels.empty())
-    checkSizeToWrite(pathOf(folder, frame.name, "_labels.png"), frame.labels, frame.camera.camera);
+    checkSizeToWrite(pathOf(folder, frame.name, kLabelsEnding), frame.labels, frame.camera.camera);
   Image<std::uint16_t> raw(frame.depth.width, frame.depth.height);
   for (std::size_t i = 0; i < raw.data.size(); ++i) {
     const double units = std::round(static_cast<double>(frame.depth.data[i]) / frame.camera.depth_scale);
     raw.data[i] = units >= 1.0 && units <= 65535.0 ? static_cast<std::uint16_t>(units) : std::uint16_t{0};
   }
-  writeGray16(pathOf(folder, frame.name, kDepthEnding.c_str()), raw);
-  if (!frame.labels.empty()) writeGray16(pathOf(folder, frame.name, "_labels.png"), frame.labels);
-  writeCameraJson(pathOf(folder, frame.name, ".json"), frame.camera);
+  writeGray16(pathOf(folder, frame.name, kDepthEnding), raw);
+  if (!frame.labels.empty()) writeGray16(pathOf(folder, frame.name, kLabelsEnding), frame.labels);
+  writeCameraJson(pathOf(folder, frame.name, kCameraEnding), frame.camera);
 }
 
 DepthImage depthFromPng(const Image<std::uint16_t>& raw, double depth_scale) {

@@ -25,7 +25,7 @@ struct LabelledFrame {
 /// What a segmenter is given; the frame must outlive it.
 DepthFrame frameView(const LabelledFrame& frame);
 
-/// Names of the frames of a folder, sorted; InputError if it cannot be listed.
+/// Names of the frames of a folder, numbers in numeric order; InputError if it cannot be listed.
 std::vector<std::string> listLabelledFrames(const std::string& folder);
 /// Reads NAME's three files; InputError names the file whose size disagrees.
 LabelledFrame readLabelledFrame(const std::string& folder, const std::string& name);

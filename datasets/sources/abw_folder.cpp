@@ -26,9 +26,9 @@ constexpr double kDepthUnit = 2e-5;  // metres; fine enough for the sensor's 1.3
 struct Calibration {
   double offset, scale, fx;
 };
-constexpr Calibration kMost = {771.016866, 0.791686, 1586.072821};
-constexpr Calibration kSome = {785.410786, 0.773545, 1610.981722};
-constexpr std::array<int, 7> kSomeTestImages = {0, 19, 21, 25, 27, 28, 29};
+constexpr Calibration kCommon = {771.016866, 0.791686, 1586.072821};
+constexpr Calibration kOther = {785.410786, 0.773545, 1610.981722};
+constexpr std::array<int, 7> kOtherTestImages = {0, 19, 21, 25, 27, 28, 29};
 
 /// The number behind `prefix` that ends the name, -1 if it is not of this form.
 int numberBehind(const std::string& name, const std::string& prefix) {
@@ -44,8 +44,8 @@ Calibration calibrationOf(const std::string& path, const std::string& name) {
   const int test = numberBehind(name, "abw.test.");
   if (test < 0 && numberBehind(name, "abw.train.") < 0)
     throw InputError(path, "name", "is not abw.test.N or abw.train.N, by which the calibration is known");
-  const bool some = std::find(kSomeTestImages.begin(), kSomeTestImages.end(), test) != kSomeTestImages.end();
-  return some ? kSome : kMost;
+  const bool other = std::find(kOtherTestImages.begin(), kOtherTestImages.end(), test) != kOtherTestImages.end();
+  return other ? kOther : kCommon;
 }
 
 }  // namespace
@@ -57,6 +57,10 @@ bool isAbwFolder(const std::string& folder) {
 
 AbwFolder::AbwFolder(const std::string& folder)
     : NamedFrames(folder, filesEndingIn(folder, kRange), "image NAME.range") {}
+
+std::vector<std::string> AbwFolder::files(std::size_t index) const {
+  return {path(index, kRange), path(index, kLabels)};
+}
 
 LabelledFrame AbwFolder::read(std::size_t index) const {
   LabelledFrame frame;

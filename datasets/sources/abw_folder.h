@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "datasets/sources/named_frames.h"
 
@@ -16,6 +17,7 @@ class AbwFolder : public NamedFrames {
  public:
   /// Throws InputError for a folder that cannot be listed or has no frame.
   explicit AbwFolder(const std::string& folder);
+  std::vector<std::string> files(std::size_t index) const override;
   LabelledFrame read(std::size_t index) const override;
 };
 

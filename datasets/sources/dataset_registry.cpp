@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of formats; a new one is a line here.
+// A new format is a line in the table here.
 #include "datasets/sources/dataset_registry.h"
 
 #include <algorithm>
@@ -35,8 +35,8 @@ std::unique_ptr<FrameSource> open(const std::string& path) {
   return std::make_unique<Source>(path);
 }
 
-/// FORMAT:PATH taken apart; `format` stays null where no format is named.
-struct Named {
+/// The parts of FORMAT:PATH; `format` stays null where no format is named.
+struct FormatAndPath {
   const DatasetFormat* format = nullptr;
   std::string path;
   std::string unknown;  ///< what looks like a format and is none
@@ -48,8 +48,8 @@ bool looksLikeFormat(const std::string& word) {
   });
 }
 
-Named takeApart(const std::string& text) {
-  Named named;
+FormatAndPath splitDatasetText(const std::string& text) {
+  FormatAndPath named;
   named.path = text;
   const std::size_t colon = text.find(':');
   std::error_code code;
@@ -77,7 +77,7 @@ const std::vector<DatasetFormat>& datasetFormats() {
       {"tum-fr2", "TUM RGB-D, Freiburg 2", never, openTumFreiburg2},
       {"tum-fr3", "TUM RGB-D, Freiburg 3", never, openTumFreiburg3},
       {"icl", "ICL-NUIM in TUM's layout", never, openIclFolder},
-      {"pcd", "organized PCD with a field label or intensity", isCloudFolder, open<LabelledCloudFolder>},
+      {"pcd", "organized PCD, labels in a field label or intensity", isCloudFolder, open<LabelledCloudFolder>},
   };
   return formats;
 }
@@ -88,8 +88,13 @@ std::vector<std::string> formatNames() {
   return names;
 }
 
+bool namesFormat(const std::string& text) {
+  const FormatAndPath named = splitDatasetText(text);
+  return named.format != nullptr || !named.unknown.empty();
+}
+
 std::unique_ptr<FrameSource> openDataset(const std::string& text) {
-  const Named named = takeApart(text);
+  const FormatAndPath named = splitDatasetText(text);
   if (!named.unknown.empty())
     throw InputError(text, "format", "there is none called '" + named.unknown + "', only " + joined(formatNames()));
   if (named.format != nullptr) return named.format->open(named.path);
@@ -103,7 +108,7 @@ std::unique_ptr<FrameSource> openDataset(const std::string& text) {
 }
 
 std::string datasetName(const std::string& text) {
-  return folderName(takeApart(text).path);
+  return folderName(splitDatasetText(text).path);
 }
 
 }  // namespace epcc

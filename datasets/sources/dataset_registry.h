@@ -26,6 +26,9 @@ const std::vector<DatasetFormat>& datasetFormats();
 /// Their names.
 std::vector<std::string> formatNames();
 
+/// True for FORMAT:PATH, known format or not, if nothing exists under the whole name.
+bool namesFormat(const std::string& text);
+
 /// Opens PATH, whose format is found out from its contents, or FORMAT:PATH. Something that exists under the whole name
 /// is a PATH. Throws InputError in one line: unknown format, nothing recognised, or what the format finds wrong.
 std::unique_ptr<FrameSource> openDataset(const std::string& text);

@@ -45,6 +45,12 @@ class LabelFiles {
 
 }  // namespace
 
+std::vector<std::string> depthImagesIn(const std::string& folder, const std::string& sub_folder) {
+  std::vector<std::string> files = filesEndingIn((fs::path(folder) / sub_folder).string(), ".png");
+  for (std::string& file : files) file = (fs::path(sub_folder) / (file + ".png")).string();
+  return files;
+}
+
 std::string firstFolder(const std::string& folder, const std::vector<std::string>& candidates) {
   std::error_code code;
   for (const std::string& candidate : candidates)
@@ -73,29 +79,34 @@ std::string DepthImageFolder::name(std::size_t index) const {
   return stem(files_.at(index).depth);
 }
 
-LabelledFrame DepthImageFolder::read(std::size_t index) const {
+std::vector<std::string> DepthImageFolder::files(std::size_t index) const {
   const Files& files = files_.at(index);
+  std::vector<std::string> paths = {existingFile((fs::path(folder_) / files.depth).string())};
+  if (!files.labels.empty()) paths.push_back(existingFile((fs::path(folder_) / files.labels).string()));
+  return paths;
+}
+
+LabelledFrame DepthImageFolder::read(std::size_t index) const {
+  const std::vector<std::string> paths = files(index);
   LabelledFrame frame;
   frame.name = name(index);
   frame.camera = camera_;
   PinholeCamera& camera = frame.camera.camera;
-  const std::string depth_path = (fs::path(folder_) / files.depth).string();
-  const auto raw = readGray16(depth_path);
+  const auto raw = readGray16(paths[0]);
   if (camera.width == 0) {
     camera.width = raw.width;
     camera.height = raw.height;
   }
   if (raw.width != camera.width || raw.height != camera.height)
-    throw InputError(depth_path, "size",
+    throw InputError(paths[0], "size",
                      sizeText(raw.width, raw.height) + ", but the camera has " + sizeText(camera.width, camera.height));
   frame.depth = depthFromPng(raw, camera_.depth_scale);
-  if (!files.labels.empty())
-    frame.labels = readLabelFile((fs::path(folder_) / files.labels).string(), camera.width, camera.height);
+  if (paths.size() > 1) frame.labels = readLabelFile(paths[1], camera.width, camera.height);
   return frame;
 }
 
 LabelImage readLabelFile(const std::string& path, int width, int height) {
-  if (endsIn(path, ".npy")) return readNpyLabels(path, width, height);
+  if (hasEnding(path, ".npy")) return readNpyLabels(path, width, height);
   LabelImage labels = readLabelPng(path);
   if (labels.width != width || labels.height != height)
     throw InputError(path, "size",

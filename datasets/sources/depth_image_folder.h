@@ -18,6 +18,9 @@ struct DepthImages {
   CameraFile camera;
 };
 
+/// Paths of the PNGs in a folder of the data set, relative to it, in the order of the numbers in their names.
+std::vector<std::string> depthImagesIn(const std::string& folder, const std::string& sub_folder);
+
 /// The first of `candidates` that is a folder in `folder`, empty if none is.
 std::string firstFolder(const std::string& folder, const std::vector<std::string>& candidates);
 
@@ -30,6 +33,7 @@ class DepthImageFolder : public FrameSource {
   const std::string& dataset() const override { return dataset_; }
   std::size_t size() const override { return files_.size(); }
   std::string name(std::size_t index) const override;
+  std::vector<std::string> files(std::size_t index) const override;
   LabelledFrame read(std::size_t index) const override;
 
  private:

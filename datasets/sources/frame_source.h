@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "datasets/files/labelled_frame.h"
 
@@ -17,6 +18,8 @@ class FrameSource {
   virtual const std::string& dataset() const = 0;
   virtual std::size_t size() const = 0;
   virtual std::string name(std::size_t index) const = 0;
+  /// Paths of the files that a frame is read from, its depth first; none if it is made.
+  virtual std::vector<std::string> files(std::size_t /*index*/) const { return {}; }
   /// Reads or makes a frame, the same each time. Throws InputError. Several threads may call it at once.
   virtual LabelledFrame read(std::size_t index) const = 0;
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Turns a cloud's label field into a label image.
+// Reads a cloud's points, finds out how they were seen, and turns its label field into a label image.
 #include "datasets/sources/labelled_cloud.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "datasets/files/organized_pcd.h"
 #include "datasets/files/pcd_header.h"
@@ -19,11 +21,12 @@ const char kIntensity[] = "intensity";
 constexpr float kFirstSynpebPlane = 10.0F;
 const char kSynpebNoise[] = "0.01,0,1";
 
+/// Name of the field that may hold labels, empty if there is none.
 std::string labelField(const std::string& path) {
   const PcdHeader header = readPcdHeader(path);
   for (const char* name : {kLabel, kIntensity})
     if (header.field(name) != nullptr) return name;
-  throw InputError(path, "FIELDS", "neither label nor intensity is there to hold labels");
+  return {};
 }
 
 std::uint16_t plainLabel(float value) {
@@ -36,11 +39,11 @@ std::uint16_t synpebLabel(float value) {
                                                                                 : kIgnoreLabel;
 }
 
-/// An intensity that was measured is no label.
-void checkWhole(const std::string& path, const std::string& field, const std::vector<float>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (std::isfinite(values[i]) && values[i] != std::floor(values[i]))
-      throw InputError(path, field, "of point " + std::to_string(i) + " is not a whole number, so it is no label");
+/// The first point whose value is a number but no whole one, or the number of points.
+std::size_t firstFraction(const std::vector<float>& values) {
+  const auto fraction = std::find_if(values.begin(), values.end(),
+                                     [](float value) { return std::isfinite(value) && value != std::floor(value); });
+  return static_cast<std::size_t>(fraction - values.begin());
 }
 
 float measured(const float* p, Projection projection) {
@@ -50,25 +53,43 @@ float measured(const float* p, Projection projection) {
   return z > 0.0F ? z : 0.0F;
 }
 
+/// Takes the points out of the cloud.
+LabelledFrame unlabelledFrame(const std::string& path, OrganizedCloud& cloud, Projection projection) {
+  LabelledFrame frame;
+  frame.name = std::filesystem::path(path).stem().string();
+  frame.projection = projection;
+  frame.depth = DepthImage(cloud.width, cloud.height);
+  for (std::size_t i = 0; i < frame.depth.data.size(); ++i)
+    frame.depth.data[i] = measured(&cloud.xyz[3 * i], projection);
+  frame.scan = std::move(cloud.xyz);
+  return frame;
+}
+
 }  // namespace
 
-LabelledFrame readLabelledCloud(const std::string& folder, const std::string& name) {
-  const std::string path = (std::filesystem::path(folder) / (name + ".pcd")).string();
+LabelledFrame readCloud(const std::string& path) {
+  OrganizedCloud cloud = readOrganizedPcd(path);
+  const Projection projection = detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height);
+  return unlabelledFrame(path, cloud, projection);
+}
+
+LabelledFrame readLabelledCloud(const std::string& path) {
   const std::string field = labelField(path);
-  const bool synpeb = field == kIntensity;
+  if (field.empty()) return readCloud(path);
   OrganizedCloud cloud = readOrganizedPcd(path, field);
-  checkWhole(path, field, cloud.label);
-  LabelledFrame frame;
-  frame.name = name;
+  const bool is_intensity = field == kIntensity;
+  const std::size_t fraction = firstFraction(cloud.label);
+  const bool whole = fraction == cloud.label.size();
+  if (!whole && !is_intensity)
+    throw InputError(path, field, "of point " + std::to_string(fraction) + " is not a whole number, so it is no label");
+  const bool synpeb = is_intensity && whole;
+  const Projection projection =
+      synpeb ? Projection::Spherical : detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height);
+  LabelledFrame frame = unlabelledFrame(path, cloud, projection);
+  if (!whole) return frame;
   if (synpeb) frame.camera.noise = kSynpebNoise;
-  frame.projection = synpeb ? Projection::Spherical : detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height);
-  frame.depth = DepthImage(cloud.width, cloud.height);
   frame.labels = LabelImage(cloud.width, cloud.height);
-  for (std::size_t i = 0; i < frame.depth.data.size(); ++i) {
-    frame.depth.data[i] = measured(&cloud.xyz[3 * i], frame.projection);
-    frame.labels.data[i] = synpeb ? synpebLabel(cloud.label[i]) : plainLabel(cloud.label[i]);
-  }
-  frame.scan = std::move(cloud.xyz);
+  std::transform(cloud.label.begin(), cloud.label.end(), frame.labels.data.begin(), synpeb ? synpebLabel : plainLabel);
   return frame;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks that there are frames.
+// Puts paths together from the names of the frames, of which there must be some.
 #include "datasets/sources/named_frames.h"
 
 #include <filesystem>
@@ -16,7 +16,7 @@ NamedFrames::NamedFrames(const std::string& folder, std::vector<std::string> nam
 }
 
 std::string NamedFrames::path(std::size_t index, const std::string& ending) const {
-  return (std::filesystem::path(folder_) / (names_.at(index) + ending)).string();
+  return existingFile((std::filesystem::path(folder_) / (names_.at(index) + ending)).string());
 }
 
 }  // namespace epcc

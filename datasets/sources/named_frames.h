@@ -20,7 +20,7 @@ class NamedFrames : public FrameSource {
   /// InputError if there are no names: the folder has no `kind`.
   NamedFrames(const std::string& folder, std::vector<std::string> names, const std::string& kind);
   const std::string& folder() const { return folder_; }
-  /// FOLDER/NAME and `ending`.
+  /// FOLDER/NAME and `ending`, whose extension may be in capitals.
   std::string path(std::size_t index, const std::string& ending) const;
 
  private:

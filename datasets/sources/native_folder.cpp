@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists and reads a folder of native frames.
+// The folder's frames are listed once and read one by one, by the functions of labelled_frame.h.
 #include "datasets/sources/native_folder.h"
 
 namespace epcc {
 
 NativeFolder::NativeFolder(const std::string& folder)
     : NamedFrames(folder, listLabelledFrames(folder), "frame NAME_depth.png") {}
+
+std::vector<std::string> NativeFolder::files(std::size_t index) const {
+  return {path(index, "_depth.png"), path(index, ".json"), path(index, "_labels.png")};
+}
 
 LabelledFrame NativeFolder::read(std::size_t index) const {
   return readLabelledFrame(folder(), name(index));

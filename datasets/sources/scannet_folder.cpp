@@ -3,15 +3,15 @@
 #include "datasets/sources/scannet_folder.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <utility>
 
 #include "datasets/sources/depth_image_folder.h"
-#include "datasets/support/folder_listing.h"
 #include "datasets/support/input_error.h"
+#include "datasets/support/number_text.h"
 
 namespace epcc {
 
@@ -19,24 +19,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLongestMatrix = 4096;
+constexpr std::uintmax_t kMaxMatrixBytes = 4096;
 
 std::string matrixPath(const std::string& folder) {
   return (fs::path(folder) / "intrinsic" / "intrinsic_depth.txt").string();
 }
 
-/// Sixteen numbers and nothing else; it does not depend on the locale.
+/// Sixteen numbers and nothing else.
 std::array<double, 16> readMatrix(const std::string& path) {
-  if (inputFileSize(path) > kLongestMatrix) throw InputError(path, "file", "is too long for a 4x4 matrix");
+  if (inputFileSize(path) > kMaxMatrixBytes) throw InputError(path, "file", "is too long for a 4x4 matrix");
   std::ifstream in(path);
   std::array<double, 16> matrix{};
   std::string word;
   for (double& value : matrix) {
     if (!(in >> word)) throw InputError(path, "matrix", "has fewer than 16 numbers");
-    const char* const end = word.data() + word.size();
-    const auto parsed = std::from_chars(word.data(), end, value);
-    if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value))
-      throw InputError(path, "matrix", "'" + word + "' is not a number");
+    const std::optional<double> number = numberFrom(word);
+    if (!number || !std::isfinite(*number)) throw InputError(path, "matrix", "'" + word + "' is not a number");
+    value = *number;
   }
   if (in >> word) throw InputError(path, "matrix", "has more than 16 numbers");
   return matrix;
@@ -61,8 +60,7 @@ bool isScannetFolder(const std::string& folder) {
 std::unique_ptr<FrameSource> openScannetFolder(const std::string& folder) {
   DepthImages images;
   images.folder = folder;
-  images.depth_files = filesEndingIn((fs::path(folder) / "depth").string(), ".png");
-  for (std::string& file : images.depth_files) file = "depth/" + file + ".png";
+  images.depth_files = depthImagesIn(folder, "depth");
   images.camera.camera = readCamera(matrixPath(folder));
   images.camera.depth_scale = 0.001;
   images.camera.noise = "structure-sensor";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists of depth images, and the published cameras.
+// Reads the lists of depth images; knows the published cameras.
 #include "datasets/sources/tum_folder.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kUnitsPerMetre = 5000.0;
-constexpr std::uintmax_t kLongestList = 256u << 20;
+constexpr std::uintmax_t kMaxListBytes = 256u << 20;
 
 struct SensorCamera {
   PinholeCamera camera;
@@ -35,12 +35,12 @@ const SensorCamera kFreiburg3 = {{640, 480, 535.4, 539.2, 320.1, 247.6}, "kinect
 const SensorCamera kIcl = {{640, 480, 481.2, 480.0, 319.5, 239.5}, "rendered"};
 
 bool isDepthEntry(const std::string& word) {
-  return word.rfind("depth/", 0) == 0 && endsIn(word, ".png") && word.find("..") == std::string::npos;
+  return word.rfind("depth/", 0) == 0 && hasEnding(word, ".png") && word.find("..") == std::string::npos;
 }
 
 /// The depth images that a list names, in its order: one word of each line is depth/SOMETHING.png.
 std::vector<std::string> listedDepthFiles(const std::string& path) {
-  if (inputFileSize(path) > kLongestList) throw InputError(path, "file", "is larger than 256 MiB");
+  if (inputFileSize(path) > kMaxListBytes) throw InputError(path, "file", "is larger than 256 MiB");
   std::ifstream in(path);
   std::vector<std::string> files;
   std::unordered_set<std::string> seen;
@@ -66,9 +66,7 @@ std::vector<std::string> depthFiles(const std::string& folder) {
     std::error_code code;
     if (fs::exists(path, code)) return listedDepthFiles(path);
   }
-  std::vector<std::string> files = filesEndingIn((fs::path(folder) / "depth").string(), ".png");
-  for (std::string& file : files) file = "depth/" + file + ".png";
-  return files;
+  return depthImagesIn(folder, "depth");
 }
 
 std::unique_ptr<FrameSource> openWith(const std::string& folder, const SensorCamera& sensor) {

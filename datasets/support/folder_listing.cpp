@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists folders.
+// Two comparisons of names, natural order and endings in either case, and the listings that use them.
 #include "datasets/support/folder_listing.h"
 
 #include <algorithm>
@@ -29,14 +29,20 @@ std::string takeDigits(const std::string& text, std::size_t& at) {
   return digits;
 }
 
-NameTest withEnding(const std::string& ending) {
-  return [ending](const std::string& file) { return file.size() > ending.size() && endsIn(file, ending); };
+/// "_depth.png" -> "_depth.PNG"
+std::string withExtensionInCapitals(std::string ending) {
+  const auto extension = ending.begin() + static_cast<std::ptrdiff_t>(std::min(ending.rfind('.'), ending.size()));
+  std::transform(extension, ending.end(), extension,
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return ending;
 }
 
 }  // namespace
 
-bool endsIn(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+bool hasEnding(const std::string& file, const std::string& ending) {
+  if (file.size() <= ending.size()) return false;
+  const std::string last = file.substr(file.size() - ending.size());
+  return last == ending || last == withExtensionInCapitals(ending);
 }
 
 bool naturallyBefore(const std::string& a, const std::string& b) {
@@ -56,37 +62,35 @@ bool naturallyBefore(const std::string& a, const std::string& b) {
   return a < b;  // "01" and "1"
 }
 
-std::vector<std::string> filesThat(const std::string& folder, const NameTest& pass) {
+std::vector<std::string> filesEndingIn(const std::string& folder, const std::string& ending) {
   std::error_code code;
   fs::directory_iterator entries(folder, code);
   if (code) throw InputError(folder, "folder", code.message());
   std::vector<std::string> names;
-  for (; entries != fs::directory_iterator(); entries.increment(code)) {
+  for (; !code && entries != fs::directory_iterator(); entries.increment(code)) {
     std::string file = entries->path().filename().string();
-    if (pass(file)) names.push_back(std::move(file));
+    if (!hasEnding(file, ending)) continue;
+    file.resize(file.size() - ending.size());
+    names.push_back(std::move(file));
   }
   if (code) throw InputError(folder, "folder", code.message());
   std::sort(names.begin(), names.end(), naturallyBefore);
+  names.erase(std::unique(names.begin(), names.end()), names.end());  // the same name with both endings
   return names;
-}
-
-std::vector<std::string> filesEndingIn(const std::string& folder, const std::string& ending) {
-  std::vector<std::string> names = filesThat(folder, withEnding(ending));
-  for (std::string& name : names) name.resize(name.size() - ending.size());
-  return names;
-}
-
-std::string anyFileThat(const std::string& folder, const NameTest& pass) {
-  std::error_code code;
-  fs::directory_iterator entries(folder, code);
-  if (code) return {};
-  for (; !code && entries != fs::directory_iterator(); entries.increment(code))
-    if (pass(entries->path().filename().string())) return entries->path().string();
-  return {};
 }
 
 std::string anyFileEndingIn(const std::string& folder, const std::string& ending) {
-  return anyFileThat(folder, withEnding(ending));
+  std::error_code code;
+  fs::directory_iterator entries(folder, code);
+  for (; !code && entries != fs::directory_iterator(); entries.increment(code))
+    if (hasEnding(entries->path().filename().string(), ending)) return entries->path().string();
+  return {};
+}
+
+std::string existingFile(const std::string& path) {
+  const std::string capitals = withExtensionInCapitals(path);
+  std::error_code code;
+  return !fs::exists(path, code) && fs::exists(capitals, code) ? capitals : path;
 }
 
 std::string folderName(const std::string& folder) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -96,6 +97,26 @@ TEST_F(LabelledFrameTest, ListIsSortedAndHoldsFramesOnly) {
   for (const char* name : {"b_depth.png", "a_depth.png", "a.json", "c_labels.png", "_depth.png", "d_depth.pngx"})
     write(name, "x");
   EXPECT_EQ(listLabelledFrames(folder()), (std::vector<std::string>{"a", "b"}));
+}
+
+TEST_F(LabelledFrameTest, ListIsInTheOrderOfTheNumbersInTheNames) {
+  for (const char* name : {"f10_depth.png", "f2_depth.png", "f1_depth.png", "f010_depth.png"}) write(name, "x");
+  EXPECT_EQ(listLabelledFrames(folder()), (std::vector<std::string>{"f1", "f2", "f010", "f10"}));
+}
+
+TEST_F(LabelledFrameTest, ExtensionsMayBeInCapitals) {
+  writeLabelledFrame(folder(), frame());
+  for (const char* ending : {"_depth.png", "_labels.png", ".json"}) {
+    std::string capitals = ending;
+    for (std::size_t i = capitals.find('.'); i < capitals.size(); ++i)
+      capitals[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(capitals[i])));
+    std::filesystem::rename(path(std::string("room") + ending), path("room" + capitals));
+  }
+  EXPECT_EQ(names(), (std::vector<std::string>{"room.JSON", "room_depth.PNG", "room_labels.PNG"}));
+  EXPECT_EQ(listLabelledFrames(folder()), std::vector<std::string>{"room"});
+  const LabelledFrame read = readLabelledFrame(folder(), "room");
+  EXPECT_EQ(read.depth.width, 7);
+  EXPECT_EQ(read.labels.data, frame().labels.data);
 }
 
 TEST_F(LabelledFrameTest, ListOfAnEmptyFolderIsEmpty) {

@@ -51,6 +51,15 @@ TEST_F(DatasetRegistry, FolderWithAColonIsAFolder) {
   EXPECT_EQ(frames->dataset(), "abw:x");
 }
 
+TEST_F(DatasetRegistry, FormatsAreToldFromPaths) {
+  EXPECT_TRUE(namesFormat("abw:/data/images"));
+  EXPECT_TRUE(namesFormat("nothing:/data/images"));
+  EXPECT_FALSE(namesFormat("/data/images"));
+  EXPECT_FALSE(namesFormat("/data/what:ever"));
+  std::filesystem::create_directory(path("abw:x"));
+  EXPECT_FALSE(namesFormat(path("abw:x")));
+}
+
 TEST_F(DatasetRegistry, UnknownThingsAreErrors) {
   native("x");
   expectInputError([&] { openDataset("nothing:" + path("x")); }, "nothing:" + path("x"), "format",

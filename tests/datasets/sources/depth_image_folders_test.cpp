@@ -72,6 +72,16 @@ TEST_F(DepthImageFolders, OnlyLabelledImagesAreFramesWhereThereAreLabels) {
   EXPECT_EQ(frame.camera.noise, "rendered");
 }
 
+TEST_F(DepthImageFolders, ExtensionsMayBeInCapitals) {
+  depth("a/depth/1.PNG", 5000);
+  depth("a/labels/1.PNG", 4);
+  const auto frames = openDataset("icl:" + path("a"));
+  ASSERT_EQ(frames->size(), 1U);
+  EXPECT_EQ(frames->files(0), (std::vector<std::string>{path("a/depth/1.PNG"), path("a/labels/1.PNG")}));
+  EXPECT_EQ(frames->read(0).depth.at(0, 0), 1.0F);
+  EXPECT_EQ(frames->read(0).labels.at(0, 0), 4);
+}
+
 TEST_F(DepthImageFolders, WithoutAListAllImagesAreFramesByNumber) {
   for (const char* name : {"10", "9", "1"}) depth(std::string("a/depth/") + name + ".png", 1);
   const auto frames = openDataset("icl:" + path("a"));

@@ -21,7 +21,7 @@ class LabelledCloud : public TempFolderTest {};
 
 TEST_F(LabelledCloud, RangesLabelsAndPointsAreRead) {
   write("scan.pcd", kScan);
-  const LabelledFrame frame = readLabelledCloud(folder(), "scan");
+  const LabelledFrame frame = readLabelledCloud(path("scan.pcd"));
   EXPECT_EQ(frame.depth.data, (std::vector<float>{3.0F, 3.0F, 0.0F, 4.0F}));
   EXPECT_EQ(frame.labels.data, (std::vector<std::uint16_t>{10, kIgnoreLabel, 12, 1234}));
   EXPECT_TRUE(SensorModel::parse(frame.camera.noise.value()).has_value());
@@ -48,16 +48,38 @@ TEST_F(LabelledCloud, FoldersWithoutScansAreErrors) {
   expectInputError([&] { LabelledCloudFolder scans(path("none")); }, path("none"), "folder", "");
 }
 
-TEST_F(LabelledCloud, ScanWithoutLabelsIsAnError) {
+TEST_F(LabelledCloud, CloudWithoutLabelsIsUnlabelled) {
   std::string text = kScan;
-  const std::string file = write("scan.pcd", text.replace(text.find("intensity"), 9, "curvature"));
-  expectInputError([&] { readLabelledCloud(folder(), "scan"); }, file, "FIELDS", "neither label nor intensity");
+  write("scan.pcd", text.replace(text.find("intensity"), 9, "curvature"));
+  const LabelledFrame frame = readLabelledCloud(path("scan.pcd"));
+  EXPECT_TRUE(frame.labels.empty());
+  EXPECT_FALSE(frame.camera.noise.has_value());
+  EXPECT_EQ(frame.scan[1], 2.0F);
 }
 
 TEST_F(LabelledCloud, MeasuredIntensityIsNoLabel) {
   std::string text = kScan;
+  write("scan.pcd", text.replace(text.find(" 9\n"), 3, " 9.5\n"));
+  const LabelledFrame frame = readLabelledCloud(path("scan.pcd"));
+  EXPECT_TRUE(frame.labels.empty());
+  EXPECT_FALSE(frame.camera.noise.has_value());
+}
+
+TEST_F(LabelledCloud, LabelsThatAreNoWholeNumbersAreErrors) {
+  std::string text = kScan;
+  text.replace(text.find("intensity"), 9, "label");
   const std::string file = write("scan.pcd", text.replace(text.find(" 9\n"), 3, " 9.5\n"));
-  expectInputError([&] { readLabelledCloud(folder(), "scan"); }, file, "intensity", "of point 1 is not a whole number");
+  expectInputError([&] { readLabelledCloud(file); }, file, "label", "of point 1 is not a whole number");
+}
+
+TEST_F(LabelledCloud, ExtensionMayBeInCapitals) {
+  write("scan.PCD", kScan);
+  write("other.pcd", kScan);
+  const LabelledCloudFolder scans(folder());
+  ASSERT_EQ(scans.size(), 2U);
+  EXPECT_EQ(scans.name(1), "scan");
+  EXPECT_EQ(scans.files(1), std::vector<std::string>{path("scan.PCD")});
+  EXPECT_EQ(scans.read(1).name, "scan");
 }
 
 /// A camera's cloud of 4x3 points, all at 2 m, with the labels 0, 1, ...; the last is `last`.
@@ -72,7 +94,7 @@ std::string cameraCloud(const std::string& last) {
 
 TEST_F(LabelledCloud, CamerasCloudWithLabelsIsPerspective) {
   write("cloud.pcd", cameraCloud("4294967295"));
-  const LabelledFrame frame = readLabelledCloud(folder(), "cloud");
+  const LabelledFrame frame = readLabelledCloud(path("cloud.pcd"));
   EXPECT_EQ(frame.depth.data, std::vector<float>(12, 2.0F));
   EXPECT_EQ(frame.labels.data, (std::vector<std::uint16_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0}));
   EXPECT_FALSE(frame.camera.noise.has_value());
@@ -85,7 +107,7 @@ TEST_F(LabelledCloud, CamerasCloudWithLabelsIsPerspective) {
 
 TEST_F(LabelledCloud, Label65535IsIgnored) {
   write("cloud.pcd", cameraCloud("65535"));
-  EXPECT_EQ(readLabelledCloud(folder(), "cloud").labels.data.back(), kIgnoreLabel);
+  EXPECT_EQ(readLabelledCloud(path("cloud.pcd")).labels.data.back(), kIgnoreLabel);
 }
 
 TEST_F(LabelledCloud, RealSynpebScansHaveTheirPlanes) {
