@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Write beside the target, then rename.
+// A file is written beside its target under a hidden name, and renamed when it is complete.
 #include "datasets/support/atomic_file.h"
 
 #include <cerrno>

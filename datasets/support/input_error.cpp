@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Composes the single line of an error.
+// An error's line is made fit for a terminal, whatever file names and file contents it quotes.
 #include "datasets/support/input_error.h"
 
 #include <cstdint>
@@ -40,13 +40,13 @@ bool isControl(std::uint32_t code) {
 
 }  // namespace
 
-std::string printable(const std::string& text, std::size_t longest) {
+std::string printable(const std::string& text, std::size_t max_bytes) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     std::uint32_t code = 0;
     const std::size_t length = decode(text, at, code);
     const bool fit = length != 0 && !isControl(code);
-    if (result.size() + (fit ? length : 1) > longest) return result + "...";
+    if (result.size() + (fit ? length : 1) > max_bytes) return result + "...";
     result += fit ? text.substr(at, length) : "?";
     at += length == 0 ? 1 : length;
   }

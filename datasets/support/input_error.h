@@ -10,9 +10,9 @@
 namespace epcc {
 
 /// Text fit for one line of a terminal, in valid UTF-8: control characters (ASCII and C1), line separators, marks of
-/// the writing direction and bytes that are no UTF-8 become '?'; texts of more than `longest` bytes are cut between
+/// the writing direction and bytes that are no UTF-8 become '?'; texts of more than `max_bytes` bytes are cut between
 /// characters.
-std::string printable(const std::string& text, std::size_t longest = 200);
+std::string printable(const std::string& text, std::size_t max_bytes = 200);
 
 /// A file that cannot be used. what() is "FILE: FIELD: WHAT", always a single line.
 class InputError : public std::runtime_error {
