@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the camera keys one by one, each with its range.
+// Every key that the camera needs is checked for its type and range; the others are kept as they are.
 #include "datasets/files/camera_json.h"
 
 #include <cmath>
@@ -14,12 +14,12 @@ namespace epcc {
 
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 16u << 20;
-constexpr int kDeepestNesting = 100;
-constexpr double kLargestDepthScale = 1000.0;
+constexpr std::uintmax_t kMaxFileBytes = 16u << 20;
+constexpr int kMaxNesting = 100;
+constexpr double kMaxDepthScale = 1000.0;
 
 std::string readText(const std::string& path) {
-  if (inputFileSize(path) > kLargestFile) throw InputError(path, "file", "is larger than 16 MiB");
+  if (inputFileSize(path) > kMaxFileBytes) throw InputError(path, "file", "is larger than 16 MiB");
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
@@ -38,8 +38,8 @@ double number(const std::string& path, const nlohmann::json& json, const char* k
 
 int imageSide(const std::string& path, const nlohmann::json& json, const char* key) {
   const double value = number(path, json, key);
-  if (value != std::floor(value) || value < 1.0 || value > kLargestImageSide)
-    throw InputError(path, key, "must be a whole number from 1 to " + std::to_string(kLargestImageSide));
+  if (value != std::floor(value) || value < 1.0 || value > kMaxImageSide)
+    throw InputError(path, key, "must be a whole number from 1 to " + std::to_string(kMaxImageSide));
   return static_cast<int>(value);
 }
 
@@ -55,7 +55,7 @@ std::optional<std::string> text(const std::string& path, const nlohmann::json& j
 nlohmann::json readJsonObject(const std::string& path) {
   try {
     const auto too_deep = [&path](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-      if (depth > kDeepestNesting) throw InputError(path, "JSON", "is nested too deeply");
+      if (depth > kMaxNesting) throw InputError(path, "JSON", "is nested too deeply");
       return true;
     };
     auto json = nlohmann::json::parse(readText(path), too_deep);
@@ -77,14 +77,14 @@ CameraFile readCameraJson(const std::string& path) {
   CameraFile file;
   file.camera.width = imageSide(path, json, "width");
   file.camera.height = imageSide(path, json, "height");
-  if (static_cast<long>(file.camera.width) * file.camera.height > kMostPixels)
-    throw InputError(path, "width", "times height is more than " + std::to_string(kMostPixels) + " pixels");
+  if (static_cast<long>(file.camera.width) * file.camera.height > kMaxPixels)
+    throw InputError(path, "width", "times height is more than " + std::to_string(kMaxPixels) + " pixels");
   file.camera.fx = positiveNumber(path, json, "fx");
   file.camera.fy = positiveNumber(path, json, "fy");
   file.camera.cx = number(path, json, "cx");
   file.camera.cy = number(path, json, "cy");
   file.depth_scale = positiveNumber(path, json, "depth_scale");
-  if (file.depth_scale > kLargestDepthScale) throw InputError(path, "depth_scale", "is more than 1000 m a unit");
+  if (file.depth_scale > kMaxDepthScale) throw InputError(path, "depth_scale", "is more than 1000 m a unit");
   file.name = text(path, json, "name").value_or("");
   file.noise = text(path, json, "noise");
   for (const char* key : {"width", "height", "fx", "fy", "cx", "cy", "depth_scale", "name", "noise"}) json.erase(key);

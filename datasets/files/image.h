@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace epcc {
@@ -36,7 +37,12 @@ struct Rgb {
 using ColorImage = Image<Rgb>;
 
 /// Limits of every reader: 16384 pixels a side, 64 million in all.
-constexpr int kLargestImageSide = 16384;
-constexpr long kMostPixels = 64L * 1000 * 1000;
+constexpr int kMaxImageSide = 16384;
+constexpr long kMaxPixels = 64L * 1000 * 1000;
+
+/// "640x480", for messages.
+inline std::string sizeText(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
 
 }  // namespace epcc

@@ -24,9 +24,9 @@ std::string pathOf(const std::string& folder, const std::string& name, const cha
 
 void checkSize(const std::string& path, const Image<std::uint16_t>& image, const PinholeCamera& camera) {
   if (image.width == camera.width && image.height == camera.height) return;
-  throw InputError(path, "size",
-                   std::to_string(image.width) + "x" + std::to_string(image.height) + ", but the camera file says " +
-                       std::to_string(camera.width) + "x" + std::to_string(camera.height));
+  throw InputError(
+      path, "size",
+      sizeText(image.width, image.height) + ", but the camera file says " + sizeText(camera.width, camera.height));
 }
 
 /// Nothing is written that could not be read back.

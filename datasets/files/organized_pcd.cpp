@@ -240,7 +240,7 @@ void writeLabelledPcd(const std::string& path, int width, int height, const std:
   const std::size_t points = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (width <= 0 || height <= 0 || labels.size() != points || xyz.size() != 3 * points)
     throw OutputError(path, "size", "points and labels do not match the size of the cloud");
-  if (width > kLargestImageSide || height > kLargestImageSide || static_cast<long>(points) > kMostPixels)
+  if (width > kMaxImageSide || height > kMaxImageSide || static_cast<long>(points) > kMaxPixels)
     throw OutputError(path, "size", "is more than a reader takes");
   const std::string bytes = labelledHeader(width, height) + labelledPayload(path, xyz, labels);
   writeTextFile(path, bytes);

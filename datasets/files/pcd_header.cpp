@@ -173,15 +173,14 @@ PcdHeader readPcdHeader(const std::string& path) {
   header.fields = readFields(path, lines);
   if (header.data == PcdData::BinaryCompressed) dropPadding(path, header.fields);
   header.point_size = header.fields.back().offset + header.fields.back().size * header.fields.back().count;
-  header.width = static_cast<int>(singleNumber(path, lines, "WIDTH", 1, kMostPixels));
-  header.height = static_cast<int>(singleNumber(path, lines, "HEIGHT", 1, kLargestImageSide));
+  header.width = static_cast<int>(singleNumber(path, lines, "WIDTH", 1, kMaxPixels));
+  header.height = static_cast<int>(singleNumber(path, lines, "HEIGHT", 1, kMaxImageSide));
   if (header.height == 1) throw InputError(path, "HEIGHT", "is 1: the cloud is not organized");
-  if (header.width > kLargestImageSide)
-    throw InputError(path, "WIDTH", "is more than " + std::to_string(kLargestImageSide));
-  if (static_cast<long>(header.points()) > kMostPixels)
-    throw InputError(path, "WIDTH", "times HEIGHT is more than " + std::to_string(kMostPixels) + " points");
+  if (header.width > kMaxImageSide) throw InputError(path, "WIDTH", "is more than " + std::to_string(kMaxImageSide));
+  if (static_cast<long>(header.points()) > kMaxPixels)
+    throw InputError(path, "WIDTH", "times HEIGHT is more than " + std::to_string(kMaxPixels) + " points");
   if (lines.count("POINTS") != 0 &&
-      singleNumber(path, lines, "POINTS", 0, kMostPixels) != static_cast<long>(header.points()))
+      singleNumber(path, lines, "POINTS", 0, kMaxPixels) != static_cast<long>(header.points()))
     throw InputError(path, "POINTS", "is not WIDTH x HEIGHT");
   checkPayload(path, header, file_size);
   return header;

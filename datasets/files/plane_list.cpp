@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Planes and their contours as JSON.
+// The list is versioned JSON; contours are traced from the label image.
 #include "datasets/files/plane_list.h"
 
 #include "datasets/support/atomic_file.h"

@@ -21,7 +21,7 @@ namespace epcc {
 namespace {
 
 /// No deflate stream grows by more when it is unpacked (1032).
-constexpr std::uintmax_t kBestCompression = 1040;
+constexpr std::uintmax_t kMaxCompression = 1040;
 
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -62,7 +62,7 @@ struct Reader : PngContext {
 bool readHeader(Reader& reader) {
   if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
   png_init_io(reader.png, reader.file);
-  png_set_user_limits(reader.png, kLargestImageSide, kLargestImageSide);
+  png_set_user_limits(reader.png, kMaxImageSide, kMaxImageSide);
   png_set_chunk_malloc_max(reader.png, 8u << 20);
   png_read_info(reader.png, reader.info);
   png_get_IHDR(reader.png, reader.info, &reader.width, &reader.height, &reader.bit_depth, &reader.color_type, nullptr,
@@ -154,9 +154,9 @@ void readCheckedHeader(const std::string& path, Reader& reader) {
 /// Reads the pixels behind the header, whose format fits T.
 template <typename T>
 Image<T> readImage(const std::string& path, Reader& reader) {
-  if (static_cast<long>(reader.width) * static_cast<long>(reader.height) > kMostPixels)
-    throw InputError(path, "size", "more than " + std::to_string(kMostPixels) + " pixels");
-  if (sizeof(T) * static_cast<std::uintmax_t>(reader.width) * reader.height / kBestCompression > inputFileSize(path))
+  if (static_cast<long>(reader.width) * static_cast<long>(reader.height) > kMaxPixels)
+    throw InputError(path, "size", "more than " + std::to_string(kMaxPixels) + " pixels");
+  if (sizeof(T) * static_cast<std::uintmax_t>(reader.width) * reader.height / kMaxCompression > inputFileSize(path))
     throw InputError(path, "size", "the file is too short for so many pixels");
   Image<T> image(static_cast<int>(reader.width), static_cast<int>(reader.height));
   auto rows = rowPointers(image);

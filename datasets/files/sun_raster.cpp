@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight big-endian words, an optional colour map, rows padded to an even length.
+// A Sun raster is eight big-endian words, an optional colour map, and rows padded to an even length.
 #include "datasets/files/sun_raster.h"
 
 #include <array>
@@ -32,11 +32,11 @@ bool readHeader(std::istream& in, Header& header) {
 void check(const std::string& path, const Header& header, std::uintmax_t file_size) {
   if (header[kMagicWord] != kMagic) throw InputError(path, "signature", "is not a Sun raster file");
   for (const Word side : {kWidth, kHeight})
-    if (header[side] < 1 || header[side] > kLargestImageSide)
+    if (header[side] < 1 || header[side] > kMaxImageSide)
       throw InputError(path, side == kWidth ? "width" : "height",
-                       std::to_string(header[side]) + " is not from 1 to " + std::to_string(kLargestImageSide));
-  if (static_cast<long>(header[kWidth]) * static_cast<long>(header[kHeight]) > kMostPixels)
-    throw InputError(path, "size", "more than " + std::to_string(kMostPixels) + " pixels");
+                       std::to_string(header[side]) + " is not from 1 to " + std::to_string(kMaxImageSide));
+  if (static_cast<long>(header[kWidth]) * static_cast<long>(header[kHeight]) > kMaxPixels)
+    throw InputError(path, "size", "more than " + std::to_string(kMaxPixels) + " pixels");
   if (header[kDepth] != 8) throw InputError(path, "depth", std::to_string(header[kDepth]) + " bits, not 8");
   if (header[kType] > 1) throw InputError(path, "type", std::to_string(header[kType]) + " is not uncompressed (0, 1)");
   const std::uintmax_t row = header[kWidth] + header[kWidth] % 2;

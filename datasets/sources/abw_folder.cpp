@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grey value to depth by the calibration that belongs to the image's number.
+// Grey values become depths by one of two calibrations, which the number of the image tells.
 #include "datasets/sources/abw_folder.h"
 
 #include <algorithm>

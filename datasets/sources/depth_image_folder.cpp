@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs depth and label files by their names.
+// A label file belongs to the depth image of the same name; both must have the same size.
 #include "datasets/sources/depth_image_folder.h"
 
 #include <filesystem>
@@ -19,10 +19,6 @@ namespace fs = std::filesystem;
 
 std::string stem(const std::string& file) {
   return fs::path(file).stem().string();
-}
-
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + "x" + std::to_string(height);
 }
 
 /// Label files of the folder by the depth image's stem; PNG goes before NumPy.

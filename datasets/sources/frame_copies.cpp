@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pixels, camera and noise of the copies.
+// A copy takes each of its pixels from one of the original's; camera and sensor model change accordingly.
 #include "datasets/sources/frame_copies.h"
 
 #include <cstdio>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CLI11's exceptions and the project's, made into lines and exit codes.
+// Exceptions, CLI11's and the project's, become lines on standard error and exit codes.
 #include "eval/program/command_line.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <new>
 #include <ostream>
 #include <thread>
 
@@ -13,10 +14,10 @@ namespace epcc {
 
 namespace {
 
-constexpr std::size_t kLongestLine = 1000;
+constexpr std::size_t kMaxLineBytes = 2000;
 
 /// "epcc_eval merge" -> "epcc_eval: merge: "
-std::string complaint(const std::string& program) {
+std::string lineStart(const std::string& program) {
   const std::size_t space = program.find(' ');
   if (space == std::string::npos) return program + ": ";
   return program.substr(0, space) + ": " + program.substr(space + 1) + ": ";
@@ -25,10 +26,10 @@ std::string complaint(const std::string& program) {
 }  // namespace
 
 std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv, std::ostream& out,
-                                    std::ostream& err, const std::function<void()>& settle) {
+                                    std::ostream& err, const std::function<void()>& check) {
   try {
     app.parse(argc, argv);
-    if (settle) settle();
+    if (check) check();
   } catch (const CLI::CallForHelp&) {
     out << app.help();
     return kExitDone;
@@ -36,7 +37,7 @@ std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* 
     out << version.what() << '\n';
     return kExitDone;
   } catch (const CLI::ParseError& error) {
-    err << complaint(app.get_name()) << printable(error.what(), kLongestLine) << " (see " << app.get_name()
+    err << lineStart(app.get_name()) << printable(error.what(), kMaxLineBytes) << " (see " << app.get_name()
         << " --help)\n";
     return kExitUsage;
   }
@@ -47,22 +48,27 @@ void require(bool condition, const std::string& problem) {
   if (!condition) throw CLI::ValidationError(problem);
 }
 
-int runProgram(const std::string& program, std::ostream& out, std::ostream& err, const std::function<int()>& run) {
-  const auto complain = [&](const std::string& problem, ExitCode code) {
-    err << complaint(program) << problem << '\n';
-    return static_cast<int>(code);
-  };
+int reportProblem(const std::string& program, std::ostream& err, const std::string& problem, ExitCode code) {
+  err << lineStart(program) << printable(problem, kMaxLineBytes) << '\n';
+  return code;
+}
+
+int runStep(const std::string& program, std::ostream& err, const std::function<int()>& step) {
   try {
-    const int code = run();
-    out.flush();
-    return out ? code : complain("standard output: cannot be written", kExitOutput);
+    return step();
   } catch (const OutputError& error) {
-    return complain(error.what(), kExitOutput);
-  } catch (const InputError& error) {
-    return complain(error.what(), kExitInput);
+    return reportProblem(program, err, error.what(), kExitOutput);
+  } catch (const std::bad_alloc&) {
+    return reportProblem(program, err, "needs more memory than there is", kExitInput);
   } catch (const std::exception& error) {
-    return complain(printable(error.what(), kLongestLine), kExitInput);
+    return reportProblem(program, err, error.what(), kExitInput);
   }
+}
+
+int runProgram(const std::string& program, std::ostream& out, std::ostream& err, const std::function<int()>& run) {
+  const int code = runStep(program, err, run);
+  out.flush();
+  return out ? code : reportProblem(program, err, "standard output: cannot be written", kExitOutput);
 }
 
 std::string projectVersion() {

@@ -22,13 +22,19 @@ enum ExitCode {
 };
 
 /// Reads the command line of the program that `app` is named after ("epcc_eval merge" complains as "epcc_eval: merge"),
-/// then calls `settle`. Returns an exit code if the program is done: help, version, or an error, which is told on `err`
+/// then calls `check`. Returns an exit code if the program is done: help, version, or an error, which is told on `err`
 /// in one line.
 std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv, std::ostream& out,
-                                    std::ostream& err, const std::function<void()>& settle = {});
+                                    std::ostream& err, const std::function<void()>& check = {});
 
-/// For `settle`: ends it with a problem unless `condition` holds.
+/// For `check`: ends it with a problem unless `condition` holds.
 void require(bool condition, const std::string& problem);
+
+/// Tells `err` what is wrong, in one line that starts with the program's name, and returns the code.
+int reportProblem(const std::string& program, std::ostream& err, const std::string& problem, ExitCode code);
+
+/// Runs a part of a program and returns its exit code. What it throws is told on `err` in one line.
+int runStep(const std::string& program, std::ostream& err, const std::function<int()>& step);
 
 /// Runs the program and returns its exit code. What it throws is told on `err` in one line, as is an `out` that cannot
 /// be written.

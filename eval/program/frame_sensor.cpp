@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Chosen, told by the frame, or measured on it.
+// The user's choice goes first, then what the frame says, then what is measured on it.
 #include "eval/program/frame_sensor.h"
 
 #include "datasets/support/input_error.h"

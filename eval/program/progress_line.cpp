@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rate and time left from the frames done so far.
+// The time left is guessed from the rate of the frames done so far.
 #include "eval/program/progress_line.h"
 
 #include <unistd.h>

@@ -21,7 +21,7 @@ constexpr const char* kDescription =
     "SCENE: a near desk (5 planes), b boxes on a desk (11), c larger room (9), d corridor (9), or all.";
 constexpr const char* kFooter =
     "Exit codes: 0 done, 2 wrong usage, 3 an input could not be used, 4 an output could not be written.";
-constexpr std::uint64_t kMostFrames = 100000;
+constexpr std::uint64_t kMaxSeeds = 100000;
 
 // The options as typed.
 struct RawOptions {
@@ -42,7 +42,7 @@ std::string badNumber(const std::string& option, const std::string& text) {
 }
 
 // Empty, or what is wrong.
-std::string settleSeeds(const RawOptions& raw, SceneCommandOptions& options) {
+std::string setSeeds(const RawOptions& raw, SceneCommandOptions& options) {
   if (!raw.seeds.empty()) {
     const std::size_t colon = raw.seeds.find(':');
     const bool fine = colon != std::string::npos && readNumber(raw.seeds.substr(0, colon), options.first_seed) &&
@@ -58,16 +58,15 @@ std::string settleSeeds(const RawOptions& raw, SceneCommandOptions& options) {
       return "--count: the last seed is larger than 2^64 - 1";
     options.last_seed = options.first_seed + (count - 1);
   }
-  if (options.last_seed - options.first_seed >= kMostFrames)
-    return "more than " + std::to_string(kMostFrames) + " seeds";
+  if (options.last_seed - options.first_seed >= kMaxSeeds) return "more than " + std::to_string(kMaxSeeds) + " seeds";
   return {};
 }
 
-std::string settleCamera(const RawOptions& raw, SceneCommandOptions& options) {
+std::string setCamera(const RawOptions& raw, SceneCommandOptions& options) {
   PinholeCamera camera = sceneCamera();
   const int width = raw.width.value_or(camera.width), height = raw.height.value_or(camera.height);
-  if (width < 1 || height < 1 || width > kLargestImageSide || height > kLargestImageSide ||
-      static_cast<long>(width) * height > kMostPixels)
+  if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide ||
+      static_cast<long>(width) * height > kMaxPixels)
     return "--width, --height: the image must have 1 to 16384 pixels a side and at most 64 million";
   camera = sceneCamera(width, height);
   camera.fx = raw.fx.value_or(camera.fx);
@@ -79,7 +78,7 @@ std::string settleCamera(const RawOptions& raw, SceneCommandOptions& options) {
   return problem.empty() ? problem : "camera: " + problem;
 }
 
-std::string settleScenes(const RawOptions& raw, SceneCommandOptions& options) {
+std::string setScenes(const RawOptions& raw, SceneCommandOptions& options) {
   if (raw.scene.empty()) return "SCENE is required: a, b, c, d or all";
   const std::vector<std::string> names = sceneNames();
   if (raw.scene == "all")
@@ -91,18 +90,18 @@ std::string settleScenes(const RawOptions& raw, SceneCommandOptions& options) {
   return options.out.empty() ? "--out is required" : "";
 }
 
-std::string settle(const RawOptions& raw, SceneCommandOptions& options) {
-  std::string problem = settleSeeds(raw, options);
+std::string setOptions(const RawOptions& raw, SceneCommandOptions& options) {
+  std::string problem = setSeeds(raw, options);
   if (!problem.empty()) return problem;
   std::string why;
   const auto noise = parseNoise(raw.noise, &why);
   if (!noise) return "--noise: " + why;
   options.noise = *noise;
-  problem = settleCamera(raw, options);
+  problem = setCamera(raw, options);
   if (!problem.empty()) return problem;
   if (!options.measure.empty())
     return raw.scene.empty() ? "" : "--measure-noise takes the place of SCENE, give one of them";
-  return settleScenes(raw, options);
+  return setScenes(raw, options);
 }
 
 void addOptions(CLI::App& app, RawOptions& raw, SceneCommandOptions& options) {
@@ -137,7 +136,7 @@ std::optional<int> parseSceneOptions(int argc, const char* const* argv, SceneCom
   RawOptions raw;
   addOptions(app, raw, options);
   return parseCommandLine(app, argc, argv, out, err, [&] {
-    const std::string problem = settle(raw, options);
+    const std::string problem = setOptions(raw, options);
     require(problem.empty(), problem);
   });
 }

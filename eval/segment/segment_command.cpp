@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads, segments, writes and reports one input after the other.
+// One input after the other is read, segmented, written and reported; one that fails does not keep the others back.
 #include "eval/segment/segment_command.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <new>
 #include <ostream>
+#include <sstream>
 
 #include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 #include "epcc_segmentation/plane_extractor.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/program/progress_line.h"
 #include "eval/segment/plane_report.h"
 #include "eval/segment/segment_input.h"
 #include "eval/segment/segment_output.h"
@@ -23,132 +22,113 @@
 namespace epcc {
 namespace {
 
-constexpr std::size_t kLongestLine = 1000;
+constexpr const char* kProgram = "epcc_segment";
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+/// Milliseconds since `start`, which then starts anew.
+double lapMs(Clock::time_point& start) {
+  const Clock::time_point now = Clock::now();
+  const double ms = 1e3 * std::chrono::duration<double>(now - start).count();
+  start = now;
+  return ms;
 }
 
-int complain(std::ostream& err, const std::string& problem, ExitCode code) {
-  err << "epcc_segment: " << printable(problem, kLongestLine) << '\n';
-  return code;
-}
-
-// "[3/17] name" on a terminal, gone when the input is done.
-class Progress {
- public:
-  Progress(std::size_t total, std::ostream& err) : total_(total), err_(err), on_(total > 1 && isatty(STDERR_FILENO)) {}
-  void show(std::size_t index, const std::string& name) {
-    if (on_) err_ << "\r\033[K[" << index + 1 << '/' << total_ << "] " << name << std::flush;
-  }
-  void clear() {
-    if (on_) err_ << "\r\033[K" << std::flush;
-  }
-
- private:
-  std::size_t total_;
-  std::ostream& err_;
-  bool on_;
+/// What the steps around the segmentation take.
+struct StepTimes {
+  double reading = 0.0;
+  double sensor = 0.0;  ///< choosing the sensor model, or measuring it
+  double writing = 0.0;
 };
 
-std::string heading(const SegmentInput& input, const LoadedFrame& loaded, const PlaneSegmentation& result,
+std::string heading(const SegmentInput& input, const LabelledFrame& frame, const PlaneSegmentation& result,
                     const FrameSensor& sensor) {
-  const auto valid =
-      std::count_if(loaded.depth.data.begin(), loaded.depth.data.end(), [](float z) { return z > 0.0F; });
+  const auto valid = std::count_if(frame.depth.data.begin(), frame.depth.data.end(), [](float z) { return z > 0.0F; });
   const auto labelled = std::count_if(result.labels.begin(), result.labels.end(), [](std::int32_t k) { return k > 0; });
   const double share = valid > 0 ? 100.0 * static_cast<double>(labelled) / static_cast<double>(valid) : 0.0;
   const char* word = result.planes.size() == 1 ? "plane" : "planes";
   char text[160];
-  std::snprintf(text, sizeof text, ": %dx%d, %zu %s on %.1f %% of the measured pixels, noise ", loaded.width,
-                loaded.height, result.planes.size(), word, share);
+  std::snprintf(text, sizeof text, ": %dx%d, %zu %s on %.1f %% of the measured pixels, noise ", frame.depth.width,
+                frame.depth.height, result.planes.size(), word, share);
   return input.path + text + sensor.name + '\n';
 }
 
-std::string timingLine(double reading, const StageTimes& times, double writing) {
+std::string timingLine(const StepTimes& steps, const StageTimes& stages) {
   char text[240];
   std::snprintf(text, sizeof text,
-                "  time: reading %.1f ms, segmentation %.1f ms (read %.1f, lines %.1f, planes %.1f, regions %.1f, "
-                "result %.1f), writing %.1f ms\n",
-                1e3 * reading, 1e3 * times.total(), 1e3 * times.read, 1e3 * times.lines, 1e3 * times.planes,
-                1e3 * times.regions, 1e3 * times.result, 1e3 * writing);
+                "  time: reading %.1f ms, sensor %.1f ms, segmentation %.1f ms (read %.1f, lines %.1f, planes %.1f, "
+                "regions %.1f, result %.1f), writing %.1f ms\n",
+                steps.reading, steps.sensor, 1e3 * stages.total(), 1e3 * stages.read, 1e3 * stages.lines,
+                1e3 * stages.planes, 1e3 * stages.regions, 1e3 * stages.result, steps.writing);
   return text;
 }
 
-// One input from file to files; the report is printed last. Throws InputError, OutputError.
-std::string segmentOne(const SegmentOptions& options, const SegmentInput& input) {
-  if (!input.problem.empty()) throw InputError(input.path, input.problem_field, input.problem);
+/// One input from file to files; returns its report. Throws InputError, OutputError.
+std::string segmentOne(const SegmentOptions& options, const SegmentInput& input, PlaneExtractor& extractor) {
+  if (input.problem) throw *input.problem;
+  StepTimes times;
   Clock::time_point start = Clock::now();
-  const LoadedFrame loaded = loadInput(input, options);
-  const double reading = secondsSince(start);
+  const LabelledFrame frame = loadInput(input, options);
+  const DepthFrame view = frameView(frame);
+  times.reading = lapMs(start);
 
-  const FrameSensor sensor = frameSensor(options.noise, loaded.noise, loaded.frame(), input.camera_file);
-  PlaneExtractor extractor(options.parameters, sensor.model);
+  const std::string& told_by = input.camera_file.empty() ? input.path : input.camera_file;
+  const FrameSensor sensor = frameSensor(options.noise, frame.camera.noise, view, told_by);
+  times.sensor = lapMs(start);
+
+  extractor.setSensor(sensor.model);
   PlaneSegmentation result;
-  if (!extractor.extract(loaded.frame(), result)) throw InputError(input.path, "frame", extractor.error());
+  if (!extractor.extract(view, result)) throw InputError(input.path, "frame", extractor.error());
 
   start = Clock::now();
-  writeOutputs(outputPaths(options, input), loaded, result);
-  const double writing = secondsSince(start);
+  writeOutputs(outputPaths(options, input), frame, result);
+  times.writing = lapMs(start);
 
-  std::string report = heading(input, loaded, result, sensor);
-  if (!result.planes.empty()) report += planeTable(summarizePlanes(loaded.frame(), result), "  ");
-  if (options.timing) report += timingLine(reading, extractor.times(), writing);
+  std::string report = heading(input, frame, result, sensor);
+  if (!result.planes.empty()) report += planeTable(summarizePlanes(view, result), "  ");
+  if (options.timing) report += timingLine(times, extractor.times());
   return report;
 }
 
-// The same with every failure turned into a line and an exit code.
-int tryOne(const SegmentOptions& options, const SegmentInput& input, Progress& progress, std::ostream& out,
-           std::ostream& err) {
-  try {
-    const std::string report = segmentOne(options, input);
+/// All inputs, whatever becomes of each; the worst exit code.
+int segmentAll(const SegmentOptions& options, const std::vector<SegmentInput>& inputs, std::ostream& out,
+               std::ostream& err) {
+  ProgressLine progress(err);
+  PlaneExtractor extractor(options.parameters);  // keeps its memory from frame to frame
+  int code = kExitDone;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (inputs.size() > 1) progress.show(i, inputs.size());
+    std::string report;
+    std::ostringstream problem;
+    const int of_frame = runStep(kProgram, problem, [&] {
+      try {
+        report = segmentOne(options, inputs[i], extractor);
+      } catch (const std::bad_alloc&) {
+        throw InputError(inputs[i].path, "size", "does not fit into memory");
+      }
+      return kExitDone;
+    });
     progress.clear();
     out << report;
-    return kExitDone;
-  } catch (const InputError& error) {
-    progress.clear();
-    return complain(err, error.what(), kExitInput);
-  } catch (const OutputError& error) {
-    progress.clear();
-    return complain(err, error.what(), kExitOutput);
-  } catch (const std::bad_alloc&) {
-    progress.clear();
-    return complain(err, input.path + ": size: does not fit into memory", kExitInput);
+    err << problem.str();
+    code = std::max(code, of_frame);
   }
-}
-
-// Empty if the folder is there or could be made.
-std::string makeOutFolder(const std::string& folder) {
-  if (folder.empty()) return folder;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (std::filesystem::is_directory(folder)) return std::string();
-  return folder + ": folder: cannot be made" + (error ? ", " + error.message() : std::string());
+  return code;
 }
 
 }  // namespace
 
 int runSegment(const SegmentOptions& options, std::ostream& out, std::ostream& err) {
-  const InputList list = listInputs(options);
-  if (!list.usage_problem.empty()) return complain(err, list.usage_problem, kExitUsage);
-  if (list.several && options.namesOutputs()) {
-    return complain(err, kOneInputOnly, kExitUsage);
-  }
-  const std::string clash = checkOutputs(options, list.inputs);
-  if (!clash.empty()) return complain(err, clash, kExitUsage);
-  const std::string no_folder = makeOutFolder(options.out);
-  if (!no_folder.empty()) return complain(err, no_folder, kExitOutput);
-
-  Progress progress(list.inputs.size(), err);
-  int code = kExitDone;
-  for (std::size_t i = 0; i < list.inputs.size(); ++i) {
-    progress.show(i, list.inputs[i].name);
-    code = std::max(code, tryOne(options, list.inputs[i], progress, out, err));
-  }
-  out.flush();
-  if (!out) return complain(err, "standard output: report: cannot be written", kExitOutput);
-  return code;
+  return runProgram(kProgram, out, err, [&]() -> int {
+    const InputList list = listInputs(options);
+    std::string misuse = list.usage_problem;
+    if (misuse.empty() && list.several && options.namesOutputs())
+      misuse = kOneInputOnly;
+    if (misuse.empty()) misuse = checkOutputs(options, list.inputs);
+    if (!misuse.empty()) return reportProblem(kProgram, err, misuse, kExitUsage);
+    if (!options.out.empty()) makeOutputFolder(options.out);
+    return segmentAll(options, list.inputs, out, err);
+  });
 }
 
 int segmentMain(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {

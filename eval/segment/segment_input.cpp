@@ -1,114 +1,102 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds out what each INPUT is and reads depth images and clouds.
+// Finds out whether each INPUT is a file or a data set, and reads its frames.
 #include "eval/segment/segment_input.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include "datasets/files/camera_json.h"
 #include "datasets/files/labelled_frame.h"
-#include "datasets/files/organized_pcd.h"
 #include "datasets/files/png_io.h"
-#include "datasets/support/input_error.h"
+#include "datasets/sources/dataset_registry.h"
+#include "datasets/sources/labelled_cloud.h"
+#include "datasets/support/folder_listing.h"
 
 namespace epcc {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDepthSuffix = "_depth";
+const char kDepthEnding[] = "_depth.png";
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
+/// "X" of X_depth.png, else the name without its extension.
 std::string frameName(const fs::path& path) {
-  std::string stem = path.stem().string();
-  const std::string suffix = kDepthSuffix;
-  if (path.extension() == ".png" && endsWith(stem, suffix) && stem.size() > suffix.size()) {
-    stem.resize(stem.size() - suffix.size());
-  }
-  return stem;
+  const std::string file = path.filename().string();
+  if (hasEnding(file, kDepthEnding)) return file.substr(0, file.size() - (sizeof kDepthEnding - 1));
+  return path.stem().string();
 }
 
-// Camera beside X_depth.png or X.png.
+/// Camera of X_depth.png or X.png.
 std::string cameraBeside(const fs::path& path) {
-  return (path.parent_path() / (frameName(path) + ".json")).string();
+  return existingFile((path.parent_path() / (frameName(path) + ".json")).string());
 }
 
-void refuse(SegmentInput& input, const std::string& field, const std::string& what) {
-  input.problem_field = field;
-  input.problem = what;
-}
-
-SegmentInput describe(const std::string& path, const SegmentOptions& options) {
+SegmentInput fileInput(const std::string& path, const SegmentOptions& options) {
   SegmentInput input;
   input.path = path;
   input.name = frameName(path);
   std::error_code ignored;
   if (path == "-") {
-    refuse(input, "standard input", "cannot be read, name a file");
+    input.problem = InputError(path, "standard input", "cannot be read, name a file");
   } else if (!fs::exists(path, ignored)) {
-    refuse(input, "file", "does not exist");
-  } else if (fs::path(path).extension() == ".pcd") {
+    input.problem = InputError(path, "file", "does not exist");
+  } else if (hasEnding(path, ".pcd")) {
     input.is_cloud = true;
-  } else if (fs::path(path).extension() != ".png") {
-    refuse(input, "name", "is neither .pcd, .png nor a folder");
+  } else if (!hasEnding(path, ".png")) {
+    input.problem = InputError(path, "name", "is neither .pcd, .png nor a folder");
   } else if (!options.camera) {
     input.camera_file = options.camera_file.empty() ? cameraBeside(path) : options.camera_file;
   }
   return input;
 }
 
-bool lacksCamera(const SegmentInput& input) {
-  std::error_code ignored;
-  return input.problem.empty() && !input.camera_file.empty() && !fs::exists(input.camera_file, ignored);
-}
-
-// The frames of a folder; a folder without any is one input that cannot be used.
-std::vector<SegmentInput> describeFolder(const std::string& folder, const SegmentOptions& options) {
+/// The depth images of a folder of native frames as files, for a camera that is not that of their JSON.
+std::vector<SegmentInput> nativeFiles(const std::string& folder, const SegmentOptions& options) {
   std::vector<SegmentInput> inputs;
+  for (const std::string& name : listLabelledFrames(folder))
+    inputs.push_back(fileInput(existingFile((fs::path(folder) / (name + kDepthEnding)).string()), options));
+  return inputs;
+}
+
+std::vector<SegmentInput> sourceInputs(const std::string& dataset) {
+  const std::shared_ptr<const FrameSource> source = openDataset(dataset);
+  std::vector<SegmentInput> inputs(source->size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::vector<std::string> files = source->files(i);
+    inputs[i].path = files.empty() ? source->name(i) : files.front();
+    inputs[i].name = source->name(i);
+    inputs[i].source = source;
+    inputs[i].index = i;
+  }
+  return inputs;
+}
+
+/// The frames of a data set; one that cannot be opened is an input with a problem.
+std::vector<SegmentInput> datasetInputs(const std::string& dataset, const SegmentOptions& options, InputList& list) {
   try {
-    for (const std::string& name : listLabelledFrames(folder)) {
-      inputs.push_back(describe((fs::path(folder) / (name + kDepthSuffix + ".png")).string(), options));
+    if (options.givesCamera()) {
+      std::vector<SegmentInput> inputs =
+          namesFormat(dataset) ? std::vector<SegmentInput>() : nativeFiles(dataset, options);
+      if (inputs.empty())
+        list.usage_problem = dataset + ": camera: comes with the data set; --camera and --fx are for depth images";
+      return inputs;
     }
-    if (!inputs.empty()) return inputs;
-  } catch (const InputError&) {
-    // Reported below in the same words.
+    return sourceInputs(dataset);
+  } catch (const InputError& error) {
+    SegmentInput unusable;
+    unusable.path = dataset;
+    unusable.problem = error;
+    return {unusable};
   }
-  SegmentInput none;
-  none.path = folder;
-  refuse(none, "folder", "has no frame NAME_depth.png that can be read");
-  return {none};
 }
 
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + "x" + std::to_string(height);
-}
-
-DepthImage depthOfCloud(const OrganizedCloud& cloud, Projection projection) {
-  DepthImage depth;
-  depth.width = cloud.width;
-  depth.height = cloud.height;
-  for (std::size_t i = 0; i + 2 < cloud.xyz.size(); i += 3) {
-    const float x = cloud.xyz[i];
-    const float y = cloud.xyz[i + 1];
-    const float z = cloud.xyz[i + 2];
-    const float value = isPerspective(projection) ? std::abs(z) : std::hypot(x, y, z);
-    depth.data.push_back(std::isfinite(value) && value > 0.0F ? value : 0.0F);
-  }
-  return depth;
-}
-
-LoadedFrame loadCloud(const SegmentInput& input) {
-  OrganizedCloud cloud = readOrganizedPcd(input.path);
-  LoadedFrame loaded;
-  loaded.width = cloud.width;
-  loaded.height = cloud.height;
-  loaded.projection = detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height);
-  loaded.depth = depthOfCloud(cloud, loaded.projection);
-  loaded.xyz = std::move(cloud.xyz);
-  return loaded;
+void checkCamera(SegmentInput& input, const SegmentOptions& options, InputList& list) {
+  std::error_code ignored;
+  if (input.problem || input.camera_file.empty() || fs::exists(input.camera_file, ignored)) return;
+  if (!options.camera_file.empty()) return;  // reading it tells what is wrong
+  input.problem = InputError(input.path, "camera", "there is no " + input.camera_file + " beside it");
+  if (!list.several)
+    list.usage_problem = input.path + ": camera: none given and no " + input.camera_file +
+                         "; use --camera or --fx --fy --cx --cy --depth-scale";
 }
 
 CameraFile cameraFor(const SegmentInput& input, const SegmentOptions& options, int width, int height) {
@@ -120,56 +108,41 @@ CameraFile cameraFor(const SegmentInput& input, const SegmentOptions& options, i
   return file;
 }
 
-LoadedFrame loadDepth(const SegmentInput& input, const SegmentOptions& options) {
-  const LabelImage raw = readGray16(input.path);
-  const CameraFile file = cameraFor(input, options, raw.width, raw.height);
-  if (file.camera.width != raw.width || file.camera.height != raw.height) {
+LabelledFrame readDepthFile(const SegmentInput& input, const SegmentOptions& options) {
+  const Image<std::uint16_t> raw = readGray16(input.path);
+  LabelledFrame frame;
+  frame.name = input.name;
+  frame.camera = cameraFor(input, options, raw.width, raw.height);
+  const PinholeCamera& camera = frame.camera.camera;
+  if (camera.width != raw.width || camera.height != raw.height)
     throw InputError(input.path, "size",
                      sizeText(raw.width, raw.height) + ", but the camera " + input.camera_file + " has " +
-                         sizeText(file.camera.width, file.camera.height));
-  }
-  LoadedFrame loaded;
-  loaded.width = raw.width;
-  loaded.height = raw.height;
-  loaded.camera = file.camera;
-  loaded.depth = depthFromPng(raw, file.depth_scale);
-  loaded.noise = file.noise;
-  return loaded;
+                         sizeText(camera.width, camera.height));
+  frame.depth = depthFromPng(raw, frame.camera.depth_scale);
+  return frame;
 }
 
 }  // namespace
 
-LoadedFrame loadInput(const SegmentInput& input, const SegmentOptions& options) {
-  return input.is_cloud ? loadCloud(input) : loadDepth(input, options);
+LabelledFrame loadInput(const SegmentInput& input, const SegmentOptions& options) {
+  if (input.source) return input.source->read(input.index);
+  return input.is_cloud ? readCloud(input.path) : readDepthFile(input, options);
 }
 
 InputList listInputs(const SegmentOptions& options) {
   InputList list;
   list.several = options.inputs.size() > 1;
-  for (const std::string& path : options.inputs) {
+  for (const std::string& input : options.inputs) {
     std::error_code ignored;
-    if (fs::is_directory(path, ignored)) {
+    if (fs::is_directory(input, ignored) || namesFormat(input)) {
       list.several = true;
-      const std::vector<SegmentInput> frames = describeFolder(path, options);
-      list.inputs.insert(list.inputs.end(), frames.begin(), frames.end());
+      for (SegmentInput& frame : datasetInputs(input, options, list)) list.inputs.push_back(std::move(frame));
     } else {
-      list.inputs.push_back(describe(path, options));
+      list.inputs.push_back(fileInput(input, options));
     }
   }
-  for (SegmentInput& input : list.inputs) {
-    if (!lacksCamera(input)) continue;
-    if (options.camera_file.empty()) refuse(input, "camera", "there is no " + input.camera_file + " beside it");
-    if (!list.several && options.camera_file.empty()) {
-      list.usage_problem = input.path + ": camera: none given and no " + input.camera_file +
-                           "; use --camera or --fx --fy --cx --cy --depth-scale";
-    }
-  }
+  for (SegmentInput& input : list.inputs) checkCamera(input, options, list);
   return list;
-}
-
-DepthFrame LoadedFrame::frame() const {
-  return xyz.empty() ? DepthFrame::fromDepth(depth.data.data(), camera)
-                     : DepthFrame::fromPoints(xyz.data(), 3, width, height, projection);
 }
 
 }  // namespace epcc

@@ -7,7 +7,7 @@
 #include <memory>
 #include <ostream>
 
-#include "datasets/support/input_error.h"
+#include "datasets/support/number_text.h"
 #include "epcc_segmentation/parameter_table.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* kDescription =
     "Segments organized point clouds and depth images into planes.\n"
-    "INPUT is an organized .pcd, a 16-bit depth .png or a folder of labelled frames. The camera of X_depth.png is\n"
-    "read from X.json beside it unless given.";
+    "INPUT is an organized .pcd, a 16-bit depth .png, or a data set: FOLDER or FORMAT:FOLDER, with one of the formats\n"
+    "that epcc_eval reads. The camera of X_depth.png is read from X.json beside it unless given.";
 
 constexpr const char* kFooter =
     "Exit codes: 0 done, 2 wrong usage, 3 an input could not be used, 4 an output could not be written.";
@@ -45,17 +45,15 @@ class PlainFormatter : public CLI::Formatter {
 };
 
 std::string checkFinite(const std::string& text) {
-  double value = 0.0;
-  if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is not a number";
-  return std::isfinite(value) ? std::string() : "'" + text + "' is not a finite number";
+  const std::optional<double> value = numberFrom(text);
+  if (!value) return "'" + text + "' is not a number";
+  return std::isfinite(*value) ? std::string() : "'" + text + "' is not a finite number";
 }
 
 std::string checkPositive(const std::string& text) {
   const std::string problem = checkFinite(text);
   if (!problem.empty()) return problem;
-  double value = 0.0;
-  CLI::detail::lexical_cast(text, value);
-  return value > 0.0 ? std::string() : "'" + text + "' is not positive";
+  return *numberFrom(text) > 0.0 ? std::string() : "'" + text + "' is not positive";
 }
 
 std::string checkNoise(const std::string& text) {
@@ -151,8 +149,8 @@ void printParameters() {
   throw CLI::CallForVersion(page, 0);
 }
 
-// The method's options, each in its mode. Empty if all is well, else what is wrong.
-std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
+// Puts the method's options into the parameters of their mode. Empty if all is well, else what is wrong.
+std::string setMethod(const RawOptions& raw, Parameters& parameters) {
   const bool paper = raw.mode == "paper";
   parameters.mode = paper ? Mode::Paper : Mode::InverseDepth;
   if (!paper && raw.max_gap) return "--max-gap belongs to the paper mode";
@@ -177,17 +175,13 @@ std::string settleMethod(const RawOptions& raw, Parameters& parameters) {
   return parameters.validate();
 }
 
-// Empty if all is well, else what is wrong.
-std::string settle(const RawOptions& raw, SegmentOptions& options) {
+// Puts what was typed into the options. Empty if all is well, else what is wrong.
+std::string setOptions(const RawOptions& raw, SegmentOptions& options) {
   if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
-  const std::string problem = settleMethod(raw, options.parameters);
-  if (!problem.empty()) return problem;
-  if (options.inputs.size() > 1 && options.namesOutputs()) {
-    return kOneInputOnly;
-  }
+  const std::string problem = setMethod(raw, options.parameters);
   options.parameters.line_segments |=
       options.with_segments || !options.segments.empty() || !options.segments_picture.empty();
-  return std::string();
+  return problem;
 }
 
 }  // namespace
@@ -207,7 +201,7 @@ std::optional<int> parseSegmentOptions(int argc, const char* const* argv, Segmen
   addMethodOptions(app, options, raw);
   addOutputOptions(app, options);
   return parseCommandLine(app, argc, argv, out, err, [&] {
-    const std::string problem = settle(raw, options);
+    const std::string problem = setOptions(raw, options);
     require(problem.empty(), problem);
   });
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names, checks and writes the output files of epcc_segment.
+// No output may take the place of an input, of its ground truth, of another output or of a device.
 #include "eval/segment/segment_output.h"
 
 #include <filesystem>
 #include <limits>
 #include <set>
 
+#include "datasets/files/label_image.h"
 #include "datasets/files/organized_pcd.h"
 #include "datasets/files/plane_list.h"
 #include "datasets/files/png_io.h"
@@ -27,30 +28,20 @@ std::string canonical(const std::string& path) {
 }
 
 // Files that must survive: the input, its camera, and the ground truth beside a depth image.
-std::set<std::string> filesOf(const SegmentInput& input) {
+std::set<std::string> filesOf(const SegmentInput& input, bool in_folder) {
   std::set<std::string> files{canonical(input.path)};
+  if (input.source)
+    for (const std::string& file : input.source->files(input.index)) files.insert(canonical(file));
   if (!input.camera_file.empty()) files.insert(canonical(input.camera_file));
+  // What a user names on the command line may be the truth of a depth image; what --out DIR names may not.
+  if (in_folder) files.insert(canonical((fs::path(input.path).parent_path() / (input.name + "_labels.png")).string()));
   return files;
 }
 
-std::string truthOf(const SegmentInput& input) {
-  return canonical((fs::path(input.path).parent_path() / (input.name + "_labels.png")).string());
-}
-
-LabelImage labelImage(const PlaneSegmentation& result, const std::string& path) {
-  if (result.planes.size() >= kIgnoreLabel)
-    throw OutputError(path, "labels", "more planes than a 16-bit image can hold");
-  LabelImage image;
-  image.width = result.width;
-  image.height = result.height;
-  image.data.assign(result.labels.begin(), result.labels.end());
-  return image;
-}
-
-std::vector<float> pointsOf(const LoadedFrame& loaded) {
-  if (!loaded.xyz.empty()) return loaded.xyz;
-  const DepthFrame frame = loaded.frame();
-  std::vector<float> xyz(3 * loaded.depth.data.size(), std::numeric_limits<float>::quiet_NaN());
+std::vector<float> pointsOf(const LabelledFrame& input) {
+  if (!input.scan.empty()) return input.scan;
+  const DepthFrame frame = frameView(input);
+  std::vector<float> xyz(3 * input.depth.data.size(), std::numeric_limits<float>::quiet_NaN());
   Eigen::Vector3d point;
   for (int row = 0; row < frame.height(); ++row) {
     for (int column = 0; column < frame.width(); ++column) {
@@ -96,11 +87,11 @@ OutputPaths outputPaths(const SegmentOptions& options, const SegmentInput& input
 
 std::string checkOutputs(const SegmentOptions& options, const std::vector<SegmentInput>& inputs) {
   std::set<std::string> protected_files;
-  for (const SegmentInput& input : inputs) protected_files.merge(filesOf(input));
+  for (const SegmentInput& input : inputs)
+    protected_files.merge(filesOf(input, !options.out.empty() && !input.problem));
   std::set<std::string> written;
   for (const SegmentInput& input : inputs) {
-    if (!input.problem.empty() && !options.out.empty()) continue;
-    if (!options.out.empty()) protected_files.insert(truthOf(input));
+    if (input.problem && !options.out.empty()) continue;
     for (const std::string& path : outputPaths(options, input).all()) {
       if (protected_files.count(canonical(path)) != 0) return path + " would overwrite an input or its ground truth";
       if (!written.insert(canonical(path)).second) return path + " would be written twice";
@@ -109,13 +100,13 @@ std::string checkOutputs(const SegmentOptions& options, const std::vector<Segmen
   return std::string();
 }
 
-void writeOutputs(const OutputPaths& paths, const LoadedFrame& loaded, const PlaneSegmentation& result) {
+void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result) {
   refuseSpecialFiles(paths);
-  if (!paths.labels.empty()) writeGray16(paths.labels, labelImage(result, paths.labels));
-  if (!paths.planes.empty()) writePlaneList(paths.planes, result, loaded.projection);
-  if (!paths.overlay.empty()) writeRgb(paths.overlay, drawOverlay(loaded.depth, result.labels));
+  if (!paths.labels.empty()) writeLabelImage(paths.labels, result);
+  if (!paths.planes.empty()) writePlaneList(paths.planes, result, frameView(input).projection());
+  if (!paths.overlay.empty()) writeRgb(paths.overlay, drawOverlay(input.depth, result.labels));
   if (!paths.cloud.empty())
-    writeLabelledPcd(paths.cloud, loaded.width, loaded.height, pointsOf(loaded),
+    writeLabelledPcd(paths.cloud, result.width, result.height, pointsOf(input),
                      {result.labels.begin(), result.labels.end()});
   if (!paths.segments.empty()) writeSegmentList(paths.segments, result.segments);
   if (!paths.segments_picture.empty()) writeRgb(paths.segments_picture, drawSegments(loaded.depth, result.segments));

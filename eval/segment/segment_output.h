@@ -30,6 +30,6 @@ OutputPaths outputPaths(const SegmentOptions& options, const SegmentInput& input
 std::string checkOutputs(const SegmentOptions& options, const std::vector<SegmentInput>& inputs);
 
 /// Writes them, each under its final name only once it is complete. Throws OutputError.
-void writeOutputs(const OutputPaths& paths, const LoadedFrame& loaded, const PlaneSegmentation& result);
+void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result);
 
 }  // namespace epcc

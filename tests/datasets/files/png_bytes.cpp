@@ -35,10 +35,6 @@ std::uint32_t readBigEndian32(const std::string& bytes, std::size_t at) {
 
 const std::string kPngSignature("\x89PNG\r\n\x1a\n", 8);
 
-std::string bigEndian32(std::uint32_t value) {
-  return bigEndian16(static_cast<std::uint16_t>(value >> 16)) + bigEndian16(static_cast<std::uint16_t>(value & 0xffff));
-}
-
 std::string pngChunk(const std::string& type, const std::string& data) {
   const std::string body = type + data;
   return bigEndian32(static_cast<std::uint32_t>(data.size())) + body + bigEndian32(checksum(body.data(), body.size()));

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/big_endian.h"
+
 namespace epcc::test {
 
 /// What goes into a PNG file. The defaults are a 16-bit grey picture.
@@ -21,7 +23,6 @@ struct PngRecipe {
 
 extern const std::string kPngSignature;
 
-std::string bigEndian32(std::uint32_t value);
 /// Length, type, data, CRC.
 std::string pngChunk(const std::string& type, const std::string& data);
 /// Signature, IHDR, before_image, one IDAT, IEND.

@@ -43,7 +43,7 @@ TEST_F(PngTest, EveryValueSurvivesTheRoundTrip) {
 
 TEST_F(PngTest, OddSizesSurviveTheRoundTrip) {
   for (const auto& [width, height] :
-       {std::pair{1, 1}, {1, 7}, {7, 1}, {3, 5}, {641, 3}, {17, 31}, {kLargestImageSide, 1}}) {
+       {std::pair{1, 1}, {1, 7}, {7, 1}, {3, 5}, {641, 3}, {17, 31}, {kMaxImageSide, 1}}) {
     Image<std::uint16_t> image(width, height);
     for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<std::uint16_t>(40503u * i);
     expectRoundTrip(image);

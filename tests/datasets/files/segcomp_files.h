@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/datasets/files/png_bytes.h"
+#include "tests/support/big_endian.h"
 
 namespace epcc::test {
 
@@ -33,15 +33,6 @@ inline std::string sunRaster(const std::function<int(int, int)>& value) {
   std::string bytes = sunHeader({});
   for (int row = 0; row < 512; ++row)
     for (int column = 0; column < 512; ++column) bytes += static_cast<char>(value(row, column));
-  return bytes;
-}
-
-/// Ten lines of 32 words in all, an empty line, words of four bytes: 12 bits of range below the reflectance.
-inline std::string perceptronScan(const std::function<int(int, int)>& range) {
-  std::string bytes = "Rows: 512\nColumns: 512\nA = 1\nB = 2\nC = 3\nD = 4\nE = 5 6\nF = 7 8\nG = 9\nH = 1 2 3\n\n";
-  for (int row = 0; row < 512; ++row)
-    for (int column = 0; column < 512; ++column)
-      bytes += bigEndian32(0x01bc0000U | 0xf000U | static_cast<std::uint32_t>(range(row, column)));
   return bytes;
 }
 

@@ -213,6 +213,7 @@ TEST_F(SegmentOptions, ThreadsGiveTheSameLabels) {
 TEST_F(SegmentOptions, Timing) {
   const std::string out = good({"--timing"}).out;
   EXPECT_NE(out.find("  time: reading "), std::string::npos);
+  EXPECT_NE(out.find(" ms, sensor "), std::string::npos);
   EXPECT_EQ(good({}).out.find("  time: reading "), std::string::npos);
 }
 
