@@ -2,9 +2,11 @@
 // Copies the points of a frame into PCL's types.
 #include "baselines/frame_cloud.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "datasets/support/quantile.h"
 
 namespace epcc {
 
@@ -60,9 +62,8 @@ double medianSpacing(const DepthFrame& frame) {
       add(row + 1, column);
     }
   if (distances.empty()) return 0.0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  const std::size_t middle = distances.size() / 2;
+  return valueOfRank(std::move(distances), middle);
 }
 
 }  // namespace epcc

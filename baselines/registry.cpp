@@ -41,7 +41,7 @@ SegmenterOptions defaultParameters() {
 }
 
 std::optional<SegmenterOptions> paperParameters(char scene) {
-  // Scenes b and c share values where the print spans both (docs/evaluation.md).
+  // Where a value of the printed table spans the columns of scenes b and c, both have it.
   struct Table3 {
     double leaf, curvature, smoothness_degrees, ransac_distance, normal_weight, plane_k_max;
   };

@@ -19,7 +19,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /// Empty if pcl::VoxelGrid's integer indices hold for this cloud. Stricter than PCL's own test by a voxel a side.
 std::string checkLeaf(const Cloud& cloud, double leaf) {
-  constexpr double kLargest = std::numeric_limits<std::int32_t>::max();
+  constexpr double kMaxCells = std::numeric_limits<std::int32_t>::max();
   Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Array3d high = -low;
   for (const auto& point : cloud) {
@@ -27,12 +27,12 @@ std::string checkLeaf(const Cloud& cloud, double leaf) {
     low = low.min(p);
     high = high.max(p);
   }
-  constexpr double kFarthest = 1e12;  // metres; PCL sums coordinates and their squares in single precision
-  if (std::max(low.abs().maxCoeff(), high.abs().maxCoeff()) > kFarthest)
+  constexpr double kMaxCoordinate = 1e12;  // metres; PCL sums coordinates and their squares in single precision
+  if (std::max(low.abs().maxCoeff(), high.abs().maxCoeff()) > kMaxCoordinate)
     return "there are points farther than 1e12 m: PCL's single precision would overflow";
   const Eigen::Array3d cells = (high / leaf).floor() - (low / leaf).floor() + 3.0;
   const double farthest = std::max(low.abs().maxCoeff(), high.abs().maxCoeff()) / leaf;
-  if (cells.prod() < kLargest && farthest < 0.5 * kLargest) return {};
+  if (cells.prod() < kMaxCells && farthest < 0.5 * kMaxCells) return {};
   std::ostringstream text;
   text << "the voxel leaf of " << leaf << " m is too small for a cloud of " << (high - low)(0) << " x "
        << (high - low)(1) << " x " << (high - low)(2) << " m: PCL's voxel index would overflow";

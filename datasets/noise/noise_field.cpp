@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// White noise, smoothed by a separable Gaussian of the right width.
+// Correlated noise is white noise smoothed by a Gaussian of the width that gives the correlation length asked for.
 #include "datasets/noise/noise_field.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "datasets/support/quantile.h"
 
 namespace epcc {
 namespace {
@@ -68,10 +69,7 @@ float upperQuantile(const Image<float>& image, double share) {
   const auto above = static_cast<std::size_t>(std::lround(share * static_cast<double>(image.data.size())));
   if (above == 0) return std::numeric_limits<float>::infinity();
   if (above >= image.data.size()) return -std::numeric_limits<float>::infinity();
-  std::vector<float> values = image.data;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() - 1 - above);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return valueOfRank(image.data, image.data.size() - 1 - above);
 }
 
 }  // namespace epcc

@@ -10,13 +10,15 @@
 #include <limits>
 #include <set>
 
+#include "datasets/support/quantile.h"
+
 namespace epcc {
 namespace {
 
-constexpr std::size_t kFewestPixels = 1000;
+constexpr std::size_t kMinPixels = 1000;
 constexpr int kPasses = 6;
 constexpr double kGate = 3.0;  // times the 68 % quantile of the residuals
-constexpr double kLargestSlant2 = 25.0;
+constexpr double kMaxSlant2 = 25.0;
 
 struct Sample {
   int row, column;
@@ -45,14 +47,12 @@ std::vector<Sample> samplesOf(const LabelledFrame& frame, int label) {
 }
 
 double slantOf(const Eigen::Vector3d& q, double w) {
-  return std::sqrt(1.0 + std::min(kLargestSlant2, q.head<2>().squaredNorm() / (w * w)));
+  return std::sqrt(1.0 + std::min(kMaxSlant2, q.head<2>().squaredNorm() / (w * w)));
 }
 
 double quantile68(std::vector<double> values) {
   for (double& value : values) value = std::fabs(value);
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.68 * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return quantile(std::move(values), 0.68);
 }
 
 PlaneFit fitPlane(const std::vector<Sample>& samples) {
@@ -158,7 +158,7 @@ NoiseFigures measureNoise(const std::vector<LabelledFrame>& frames) {
   for (const LabelledFrame& frame : frames) {
     for (const int label : planeLabels(frame)) {
       const std::vector<Sample> samples = samplesOf(frame, label);
-      if (samples.size() < kFewestPixels) continue;
+      if (samples.size() < kMinPixels) continue;
       const PlaneFit fit = fitPlane(samples);
       ++sums.figures.planes;
       addAmplitudes(samples, fit, sums);
@@ -173,7 +173,7 @@ LabelledFrame flattened(const LabelledFrame& frame) {
   std::fill(flat.depth.data.begin(), flat.depth.data.end(), 0.0F);
   for (const int label : planeLabels(frame)) {
     const std::vector<Sample> samples = samplesOf(frame, label);
-    if (samples.size() < kFewestPixels) continue;
+    if (samples.size() < kMinPixels) continue;
     const PlaneFit fit = fitPlane(samples);
     for (const Sample& sample : samples) {
       const double w = fit.q.dot(sample.ray);

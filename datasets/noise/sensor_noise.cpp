@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Chooses the noise by name and applies it to a frame.
+// The words of --noise, and what each does to a frame: nothing, white noise, or the stereo camera's.
 #include "datasets/noise/sensor_noise.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders on demand and keeps what was rendered.
+// A frame is rendered when it is first read; whoever comes for it later gets the same one.
 #include "datasets/rendered/rendered_scenes.h"
 
 #include <algorithm>

@@ -13,9 +13,9 @@
 namespace epcc {
 namespace {
 
-constexpr int kArrangements = 1000;     // draws before giving up
-constexpr double kLargestPiece = 0.95;  // share of a surface that is in one piece
-constexpr double kDepthUnit = 0.0002;   // metres, finer than any sensor, up to 13 m in 16 bits
+constexpr int kArrangements = 1000;      // draws before giving up
+constexpr double kMinPieceShare = 0.95;  // of a surface, in one connected piece
+constexpr double kDepthUnit = 0.0002;    // metres, finer than any sensor, up to 13 m in 16 bits
 constexpr std::uint64_t kSceneStream = 1;
 
 const SceneRecipe& recipeOf(const std::string& name) {
@@ -72,7 +72,7 @@ bool showsEverything(const Scene& scene, const SceneRecipe& recipe) {
   const SceneView view = renderView(scene, sceneCamera());
   const std::vector<int> counts = pixelCounts(view), largest = largestPieces(view);
   for (std::size_t i = 0; i < counts.size(); ++i)
-    if (counts[i] < recipe.smallest || largest[i] < kLargestPiece * counts[i]) return false;
+    if (counts[i] < recipe.smallest || largest[i] < kMinPieceShare * counts[i]) return false;
   return std::all_of(view.depth.data.begin(), view.depth.data.end(), [](float z) { return z > 0.0F; });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders two parallel planes.
+// A step is two parallel planes side by side, some distance apart in depth.
 #include "datasets/rendered/step_frames.h"
 
 #include <algorithm>

@@ -11,6 +11,7 @@
 
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 #include "eval/accuracy/accuracy.h"
 #include "eval/accuracy/accuracy_report.h"
 #include "eval/program/command_line.h"
@@ -69,10 +70,7 @@ int runAccuracyCommand(const CommandOptions& options, std::ostream& out, std::os
     page = readPage(options.page);
     pageWithTables(page, accuracyTables({}), options.page);
   }
-  std::error_code error;
-  std::filesystem::create_directories(options.accuracy.out, error);
-  if (error) throw OutputError(options.accuracy.out, "folder", "cannot be made, " + error.message());
-
+  makeOutputFolder(options.accuracy.out);
   const AccuracyResult result = measure(options.accuracy, err);
   const std::vector<NamedTable> tables = accuracyTables(result);
   writeTextFile((std::filesystem::path(options.accuracy.out) / "frames.csv").string(), csvTable(result.rows));

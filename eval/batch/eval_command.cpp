@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opens the data sets, runs the experiment, writes the report.
+// With --out the results are stored frame by frame and the report is made from them; without, sums are kept in memory.
 #include "eval/batch/eval_command.h"
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Methods by name, seeds, predictions.
+// A method that draws random numbers counts as one method a seed; predictions are methods too.
 #include "eval/batch/eval_methods.h"
 
 namespace epcc {

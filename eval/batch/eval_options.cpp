@@ -39,7 +39,7 @@ struct RawOptions {
   std::string shard = "1/1";
 };
 
-void settleMethods(const std::string& list, EvalOptions& options) {
+void setMethods(const std::string& list, EvalOptions& options) {
   if (list == "none") return;
   const std::vector<std::string> known = segmenterNames();
   std::istringstream words(list);
@@ -58,7 +58,7 @@ bool isPrediction(const std::string& text) {
   return equals != std::string::npos && text.substr(0, equals).find('/') == std::string::npos;
 }
 
-void settlePredictions(const RawOptions& raw, EvalOptions& options) {
+void setPredictions(const RawOptions& raw, EvalOptions& options) {
   std::set<std::string> names;
   for (const std::string& method : options.methods)
     for (const std::string& name : seededNames(method, options.seeds)) names.insert(name);
@@ -88,10 +88,10 @@ void keepPredictions(const EvalOptions& options) {
   }
 }
 
-void settle(const RawOptions& raw, EvalOptions& options) {
+void setOptions(const RawOptions& raw, EvalOptions& options) {
   options.datasets = raw.datasets;
-  settleMethods(raw.methods, options);
-  settlePredictions(raw, options);
+  setMethods(raw.methods, options);
+  setPredictions(raw, options);
   require(!options.datasets.empty(), "name at least one DATASET");
   require(!options.methods.empty() || !options.predictions.empty(), "there is no method to score");
   require(!options.overlays || !options.out.empty(), "--overlays needs --out");
@@ -145,7 +145,7 @@ std::optional<int> parseEvalOptions(int argc, const char* const* argv, EvalOptio
   app.set_version_flag("--version", versionText("epcc_eval"));
   RawOptions raw;
   addOptions(app, options, raw);
-  return parseCommandLine(app, argc, argv, out, err, [&] { settle(raw, options); });
+  return parseCommandLine(app, argc, argv, out, err, [&] { setOptions(raw, options); });
 }
 
 }  // namespace epcc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The few first of many, in any order of arrival.
+// The values with the smallest keys, of many that come in any order.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,20 @@
 
 namespace epcc {
 
-/// Keeps the `most` values with the smallest keys; no two keys may be equal.
+/// Keeps the values with the `max_count` smallest keys; no two keys may be equal.
 template <typename Key, typename Value>
 class Foremost {
  public:
-  explicit Foremost(std::size_t most) : most_(most) {}
+  explicit Foremost(std::size_t max_count) : max_count_(max_count) {}
   void add(const Key& key, const Value& value) {
-    if (most_ == 0 || (kept_.size() == most_ && !(key < std::prev(kept_.end())->first))) return;
+    if (max_count_ == 0 || (kept_.size() == max_count_ && !(key < std::prev(kept_.end())->first))) return;
     kept_.emplace(key, value);
-    if (kept_.size() > most_) kept_.erase(std::prev(kept_.end()));
+    if (kept_.size() > max_count_) kept_.erase(std::prev(kept_.end()));
   }
   const std::map<Key, Value>& kept() const { return kept_; }
 
  private:
-  std::size_t most_;
+  std::size_t max_count_;
   std::map<Key, Value> kept_;
 };
 

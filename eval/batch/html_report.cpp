@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sections of the page, from top to bottom.
+// The page is put together section by section, from top to bottom.
 #include "eval/batch/html_report.h"
 
 #include <map>

@@ -25,9 +25,9 @@ class WorstRows {
   std::size_t count() const { return count_; }
 
  private:
-  static constexpr std::size_t kMostRows = 2000;
+  static constexpr std::size_t kMaxRows = 2000;
 
-  Foremost<std::pair<FrameScore, std::size_t>, std::vector<std::string>> rows_{kMostRows};
+  Foremost<std::pair<FrameScore, std::size_t>, std::vector<std::string>> rows_{kMaxRows};
   std::size_t count_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Command line, shards, report.
+// The folders must hold one run without gaps, or runs over different data sets, before their results are joined.
 #include "eval/batch/merge_command.h"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Chooses, draws, scales down.
+// The choice keeps the best few frames of each kind as they come; the pictures are drawn once all are known.
 #include "eval/batch/report_pictures.h"
 
 #include <cstdio>
@@ -9,6 +9,7 @@
 
 #include "datasets/files/png_io.h"
 #include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 #include "eval/pictures/mosaic.h"
 #include "eval/pictures/overlay.h"
 
@@ -18,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWidest = 200;
+constexpr int kMaxWidth = 200;
 
 ColorImage thumbnail(const ColorImage& image) {
-  if (image.width <= kWidest) return image;
-  return resize(image, kWidest, std::max(1, image.height * kWidest / image.width));
+  if (image.width <= kMaxWidth) return image;
+  return resize(image, kMaxWidth, std::max(1, image.height * kMaxWidth / image.width));
 }
 
 }  // namespace
@@ -63,9 +64,7 @@ std::string picturePath(const PicturedFrame& pictured, std::size_t number) {
 
 void drawPictures(const PicturedFrame& pictured, const FrameSource& source) {
   const std::string folder = fs::path(picturePath(pictured, 0)).parent_path().string();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw OutputError(folder, "folder", error.message());
+  makeOutputFolder(folder);
   LabelledFrame frame;
   try {
     frame = source.read(pictured.frame.index);

@@ -27,7 +27,7 @@ struct PicturedFrame {
 /// earlier is taken, so the choice among all frames is one among the choices of the shards.
 class PictureChoice {
  public:
-  /// `each` of every kind and data set.
+  /// Of every data set the first `each` frames, the worst `each` and the best `each`.
   explicit PictureChoice(std::size_t each) : each_(each) {}
   /// In the order of the frames. Frames that no method could be scored on are passed over.
   void add(const StoredFrame& frame, const std::string& folder);

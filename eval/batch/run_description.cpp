@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// run.json, and what differs between two of them.
+// run.json holds what a run was asked to do; two of them are compared before one goes on with the other's results.
 #include "eval/batch/run_description.h"
 
 #include <algorithm>

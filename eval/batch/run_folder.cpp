@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A lock, a comparison, and the removal of what a killed process left half written.
+// One process at a time works in the folder (a lock), on the run it was begun for (a comparison with run.json); what a
+// killed one left half written is removed.
 #include "eval/batch/run_folder.h"
 
 #include <fcntl.h>
@@ -11,16 +12,14 @@
 
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 
 namespace epcc {
 
 namespace fs = std::filesystem;
 
 RunFolder::RunFolder(const std::string& out) : out_(out) {
-  std::error_code error;
-  fs::create_directories(out, error);
-  if (!fs::is_directory(out))
-    throw OutputError(out, "folder", "cannot be made" + (error ? ", " + error.message() : std::string()));
+  makeOutputFolder(out);
   lock_ = open((fs::path(out) / ".epcc-lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
   // File systems without locks are used without.
   if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;

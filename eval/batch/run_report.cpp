@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One pass over the results: sums, errors, and frames.csv as it goes.
+// The stored results are read once: memory does not grow with the number of frames.
 #include "eval/batch/run_report.h"
 
 #include <cerrno>

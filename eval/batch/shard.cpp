@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads "I/N".
+// "I/N" on the command line: share I of N, counted from 1.
 #include "eval/batch/shard.h"
 
 namespace epcc {
 
 namespace {
 
-constexpr std::size_t kMostShards = 1000000;
+constexpr std::size_t kMaxShards = 1000000;
 
 /// 0 for anything but one to seven digits.
 std::size_t wholeNumber(const std::string& text) {
@@ -20,7 +20,7 @@ std::optional<Shard> parseShard(const std::string& text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) return std::nullopt;
   const Shard shard{wholeNumber(text.substr(0, slash)), wholeNumber(text.substr(slash + 1))};
-  if (shard.number < 1 || shard.number > shard.count || shard.count > kMostShards) return std::nullopt;
+  if (shard.number < 1 || shard.number > shard.count || shard.count > kMaxShards) return std::nullopt;
   return shard;
 }
 

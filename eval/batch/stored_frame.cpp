@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Records to JSON and back.
+// A frame's records are one JSON file; one that is damaged counts as not done.
 #include "eval/batch/stored_frame.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "datasets/support/atomic_file.h"
-#include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 #include "eval/measures/measure_fields.h"
 
 namespace epcc {
@@ -29,7 +29,7 @@ Json toJson(const FrameRecord& record) {
     return json;
   }
   for (const auto* fields : {&countFields(), &furtherFields()})
-    for (const MeasureField& field : *fields) json[field.name] = valueOf(field, record.measures);
+    for (const MeasureField& field : *fields) json[field.name] = field.value(record.measures);
   if (record.ms) json["microseconds"] = std::lround(1e3 * *record.ms);
   return json;
 }
@@ -61,9 +61,7 @@ void storeFrame(const std::string& out, const StoredFrame& frame) {
                {"frame", first.frame}, {"file_name", frame.file_name}, {"records", Json::array()}};
   for (const FrameRecord& record : frame.records) json["records"].push_back(toJson(record));
   const std::string path = storedFramePath(out, first.dataset, frame.index);
-  std::error_code error;
-  fs::create_directories(fs::path(path).parent_path(), error);
-  if (error) throw OutputError(fs::path(path).parent_path().string(), "folder", error.message());
+  makeOutputFolder(fs::path(path).parent_path().string());
   writeTextFile(path, json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

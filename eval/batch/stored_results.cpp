@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which folder holds which frame, checked before the first is read.
+// Of every frame it is known which folder holds it before the first one is read.
 #include "eval/batch/stored_results.h"
 
 #include <algorithm>

@@ -21,7 +21,7 @@ constexpr const char* kDescription =
     "scenes, and, with study NAME, its parameter studies. Leaves tables and pictures in --out.";
 constexpr const char* kFooter =
     "Exit codes: 0 done, 2 wrong usage, 3 a method failed, 4 an output could not be written.";
-constexpr int kMostSeeds = 100000;
+constexpr int kMaxSeeds = 100000;
 
 /// The options as typed.
 struct RawOptions {
@@ -34,7 +34,7 @@ struct RawOptions {
   int jobs = 0;
 };
 
-void settleScenes(const std::string& list, ComparisonOptions& options) {
+void setScenes(const std::string& list, ComparisonOptions& options) {
   const std::vector<std::string> known = sceneNames();
   options.scenes.clear();
   std::istringstream words(list);
@@ -48,9 +48,9 @@ void settleScenes(const std::string& list, ComparisonOptions& options) {
   require(!options.scenes.empty(), "--scenes: name at least one of " + joined(known));
 }
 
-void settle(const RawOptions& raw, bool is_study, CompareOptions& options) {
+void setOptions(const RawOptions& raw, bool is_study, CompareOptions& options) {
   ComparisonOptions& comparison = options.comparison;
-  settleScenes(raw.scenes, comparison);
+  setScenes(raw.scenes, comparison);
   std::string why;
   const auto noise = parseNoise(comparison.noise_text, &why);
   require(noise.has_value(), "--noise: " + why);
@@ -79,10 +79,10 @@ void addOptions(CLI::App& app, CompareOptions& options, RawOptions& raw) {
                  "poly:K1,K2,K3")
       ->type_name("NOISE");
   app.add_option("--scenes", raw.scenes, "Scenes (a,b,c,d)")->type_name("A,B,...");
-  app.add_option("--seeds", raw.seeds, "Seeds for EPCC (20)")->type_name("N")->check(CLI::Range(1, kMostSeeds));
+  app.add_option("--seeds", raw.seeds, "Seeds for EPCC (20)")->type_name("N")->check(CLI::Range(1, kMaxSeeds));
   app.add_option("--slow-seeds", raw.slow_seeds, "Seeds for region growing and RANSAC (10, at most --seeds)")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostSeeds));
+      ->check(CLI::Range(1, kMaxSeeds));
   app.add_option("--first-seed", comparison.first_seed, "First seed (0)")->type_name("N");
   app.add_option("--jobs", raw.jobs, "Threads, 0 = one a core (0)")->type_name("J")->check(CLI::Range(0, 1024));
   app.add_option("--out", options.out, "Folder for the tables and pictures (results)")->type_name("DIR");
@@ -100,7 +100,7 @@ std::optional<int> parseCompareOptions(int argc, const char* const* argv, Compar
   CLI::App* study = app.add_subcommand("study", "One of the paper's parameter studies: " + joined(studyNames()));
   study->fallthrough();
   study->add_option("NAME", raw.study, joined(studyNames()))->required()->type_name("");
-  return parseCommandLine(app, argc, argv, out, err, [&] { settle(raw, study->parsed(), options); });
+  return parseCommandLine(app, argc, argv, out, err, [&] { setOptions(raw, study->parsed(), options); });
 }
 
 }  // namespace epcc

@@ -7,6 +7,7 @@
 
 #include "datasets/rendered/rendered_scenes.h"
 #include "datasets/rendered/scene.h"
+#include "datasets/support/quantile.h"
 #include "eval/experiment/experiment.h"
 
 namespace epcc {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells, keys and files of the comparison.
+// The same rows are written as Markdown, CSV, JSON and LaTeX.
 #include "eval/comparison/comparison_report.h"
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 #include "datasets/files/png_io.h"
 #include "datasets/support/atomic_file.h"
-#include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 #include "eval/comparison/comparison_figure.h"
 
 namespace epcc {
@@ -123,9 +123,7 @@ std::string comparisonJson(const Comparison& comparison, const ComparisonOptions
 }
 
 void writeComparison(const std::string& out, const Comparison& comparison, const ComparisonOptions& options) {
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
-  if (error) throw OutputError(out, "folder", error.message());
+  makeOutputFolder(out);
   const std::string base = (std::filesystem::path(out) / "table4").string();
   writeTextFile(base + ".md", comparisonNote(options) + "\n\n" + markdownTable(comparisonTable(comparison)));
   writeTextFile(base + ".csv", csvTable(comparisonNumbers(comparison)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts the line segments of the result.
+// Runs the paper mode on a frame and counts the line segments of the result.
 #include "eval/comparison/line_statistics.h"
 
 #include <cstdint>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells, captions and files of a study.
+// A study's rows become a table, its frames a picture.
 #include "eval/comparison/study_report.h"
 
 #include <filesystem>
 
 #include "datasets/files/png_io.h"
 #include "datasets/support/atomic_file.h"
-#include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 #include "eval/comparison/comparison_figure.h"
 #include "eval/pictures/mosaic.h"
 #include "eval/pictures/overlay.h"
@@ -114,9 +114,7 @@ ColorImage studyPicture(const Study& study, const StudyResult& result) {
 }
 
 void writeStudy(const std::string& out, const Study& study, const StudyResult& result) {
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
-  if (error) throw OutputError(out, "folder", error.message());
+  makeOutputFolder(out);
   const std::string base = (std::filesystem::path(out) / ("study_" + study.name)).string();
   writeTextFile(base + ".md", studyNote(study) + "\n\n" + markdownTable(studyTable(study, result)));
   writeTextFile(base + ".csv", csvTable(studyNumbers(study, result)));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names and writes the files of a frame.
+// Each file is named after its frame, in a folder that is made when the first of its kind is written.
 #include "eval/experiment/evaluation_files.h"
 
 #include <filesystem>
 
+#include "datasets/files/label_image.h"
 #include "datasets/files/png_io.h"
-#include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 #include "eval/pictures/mosaic.h"
 #include "eval/pictures/overlay.h"
 
@@ -17,19 +18,8 @@ namespace fs = std::filesystem;
 
 /// The path as a text, with its folder made.
 std::string prepared(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  if (error) throw OutputError(path.parent_path().string(), "folder", error.message());
+  makeOutputFolder(path.parent_path().string());
   return path.string();
-}
-
-LabelImage labelImage(const PlaneSegmentation& segmentation, const std::string& path) {
-  if (segmentation.planes.size() >= kIgnoreLabel)
-    throw OutputError(path, "labels", "more planes than a 16-bit image can hold");
-  LabelImage image(segmentation.width, segmentation.height);
-  for (std::size_t i = 0; i < image.data.size(); ++i)
-    image.data[i] = static_cast<std::uint16_t>(segmentation.labels[i]);
-  return image;
 }
 
 }  // namespace
@@ -37,9 +27,8 @@ LabelImage labelImage(const PlaneSegmentation& segmentation, const std::string& 
 void writeLabelImages(const std::string& out, const FrameResult& result) {
   for (std::size_t m = 0; m < result.segmentations.size(); ++m) {
     if (!result.records[m].error.empty()) continue;
-    const std::string path =
-        prepared(fs::path(out) / "labels" / result.records[m].method / (result.file_name + "_labels.png"));
-    writeGray16(path, labelImage(result.segmentations[m], path));
+    const fs::path path = fs::path(out) / "labels" / result.records[m].method / (result.file_name + "_labels.png");
+    writeLabelImage(prepared(path), result.segmentations[m]);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adds up records; medians of the times.
+// Records are added up by data set and method; times are counted, for their median.
 #include "eval/experiment/experiment_summary.h"
 
 #include <algorithm>

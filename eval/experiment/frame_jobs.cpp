@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Positions, names, and the names that two sources share.
+// A job's file name has the data set before it where two sources have frames of the same name.
 #include "eval/experiment/frame_jobs.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines, counts and exit codes.
+// The same problem of many methods is told once; only so many lines are printed.
 #include "eval/experiment/problem_list.h"
 
 #include "eval/program/command_line.h"
@@ -7,7 +7,7 @@
 namespace epcc {
 
 namespace {
-constexpr std::size_t kMostLines = 1000;
+constexpr std::size_t kMaxLines = 1000;
 }  // namespace
 
 std::vector<std::string> frameProblems(const std::vector<FrameRecord>& records) {
@@ -33,7 +33,7 @@ int exitCodeOf(long errors, long scored, bool strict) {
 }
 
 void ProblemList::add(const std::string& problem) {
-  if (count_++ < kMostLines) first_.push_back(problem);
+  if (count_++ < kMaxLines) first_.push_back(problem);
 }
 
 std::vector<std::string> ProblemList::lines() const {

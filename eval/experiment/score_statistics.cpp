@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Means and deviations, score by score.
+// The scores are numbers of one frame each; means and deviations are taken score by score.
 #include "eval/experiment/score_statistics.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace epcc {
@@ -40,13 +39,6 @@ Scores deviationScores(const std::vector<Scores>& scores) {
     deviation[i] = std::sqrt(sum / static_cast<double>(scores.size() - 1));
   }
   return deviation;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace epcc

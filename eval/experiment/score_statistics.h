@@ -26,7 +26,4 @@ Scores meanScores(const std::vector<Scores>& scores);
 /// Sample standard deviation (n - 1); zero for fewer than two.
 Scores deviationScores(const std::vector<Scores>& scores);
 
-/// The middle value, the lower of two; 0 for none.
-double median(std::vector<double> values);
-
 }  // namespace epcc

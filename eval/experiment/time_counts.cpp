@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts by value; the median is found by walking over them.
+// The median is found by walking over the counts in the order of the values.
 #include "eval/experiment/time_counts.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Matches by IoU and adds up.
+// A cluster and a surface match if they share at least half of their union, each with one partner at most.
 #include "eval/measures/instance_measures.h"
 
 #include <cmath>

@@ -1,35 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two lists of names.
+// The lists are in the order of the columns; a new number is a line here.
 #include "eval/measures/measure_fields.h"
 
 namespace epcc {
 
-using M = FrameMeasures;
+namespace {
+
+template <auto Part, auto Number>
+MeasureField field(const char* name) {
+  return {name, [](FrameMeasures& m) -> long& { return (m.*Part).*Number; },
+          [](const FrameMeasures& m) { return (m.*Part).*Number; }};
+}
+
+constexpr auto kPaper = &FrameMeasures::paper;
+constexpr auto kSegcomp = &FrameMeasures::segcomp;
+constexpr auto kInstances = &FrameMeasures::instances;
+constexpr auto kPlanes = &FrameMeasures::planes;
+
+}  // namespace
 
 const std::vector<MeasureField>& countFields() {
-  static const std::vector<MeasureField> fields = {{"N", [](M& m) -> long& { return m.paper.surfaces; }},
-                                                   {"IC", [](M& m) -> long& { return m.paper.clusters; }},
-                                                   {"D", [](M& m) -> long& { return m.paper.detected; }},
-                                                   {"No", [](M& m) -> long& { return m.paper.over_segmented; }},
-                                                   {"Nu", [](M& m) -> long& { return m.paper.under_segmented; }},
-                                                   {"correct", [](M& m) -> long& { return m.segcomp.correct; }},
-                                                   {"over", [](M& m) -> long& { return m.segcomp.over; }},
-                                                   {"under", [](M& m) -> long& { return m.segcomp.under; }},
-                                                   {"missed", [](M& m) -> long& { return m.segcomp.missed; }},
-                                                   {"noise", [](M& m) -> long& { return m.segcomp.noise; }}};
+  static const std::vector<MeasureField> fields = {
+      field<kPaper, &PaperMeasures::surfaces>("N"),         field<kPaper, &PaperMeasures::clusters>("IC"),
+      field<kPaper, &PaperMeasures::detected>("D"),         field<kPaper, &PaperMeasures::over_segmented>("No"),
+      field<kPaper, &PaperMeasures::under_segmented>("Nu"), field<kSegcomp, &SegcompMeasures::correct>("correct"),
+      field<kSegcomp, &SegcompMeasures::over>("over"),      field<kSegcomp, &SegcompMeasures::under>("under"),
+      field<kSegcomp, &SegcompMeasures::missed>("missed"),  field<kSegcomp, &SegcompMeasures::noise>("noise")};
   return fields;
 }
 
 const std::vector<MeasureField>& furtherFields() {
   static const std::vector<MeasureField> fields = {
-      {"matched", [](M& m) -> long& { return m.instances.matched; }},
-      {"iou_sum_millionths", [](M& m) -> long& { return m.instances.iou_millionths; }},
-      {"dice_sum_millionths", [](M& m) -> long& { return m.instances.dice_millionths; }},
-      {"plane_pixels", [](M& m) -> long& { return m.instances.plane_pixels; }},
-      {"dominated_pixels", [](M& m) -> long& { return m.instances.dominated_pixels; }},
-      {"compared_planes", [](M& m) -> long& { return m.planes.planes; }},
-      {"normal_error_sum_microdegrees", [](M& m) -> long& { return m.planes.microdegrees; }},
-      {"offset_error_sum_micrometres", [](M& m) -> long& { return m.planes.micrometres; }}};
+      field<kInstances, &InstanceMeasures::matched>("matched"),
+      field<kInstances, &InstanceMeasures::iou_millionths>("iou_sum_millionths"),
+      field<kInstances, &InstanceMeasures::dice_millionths>("dice_sum_millionths"),
+      field<kInstances, &InstanceMeasures::plane_pixels>("plane_pixels"),
+      field<kInstances, &InstanceMeasures::dominated_pixels>("dominated_pixels"),
+      field<kPlanes, &PlaneErrorSums::planes>("compared_planes"),
+      field<kPlanes, &PlaneErrorSums::microdegrees>("normal_error_sum_microdegrees"),
+      field<kPlanes, &PlaneErrorSums::micrometres>("offset_error_sum_micrometres")};
   return fields;
 }
 

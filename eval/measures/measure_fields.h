@@ -8,19 +8,16 @@
 
 namespace epcc {
 
-/// A name and where its number is.
+/// A name, and the number that it stands for: to be written and to be read.
 struct MeasureField {
   const char* name;
   long& (*of)(FrameMeasures&);
+  long (*value)(const FrameMeasures&);
 };
 
 /// The counts of summary.json, in its order.
 const std::vector<MeasureField>& countFields();
 /// Sums that frames.csv has beside them: with them every ratio of the summary can be made from the frames.
 const std::vector<MeasureField>& furtherFields();
-
-inline long valueOf(const MeasureField& field, const FrameMeasures& measures) {
-  return field.of(const_cast<FrameMeasures&>(measures));
-}
 
 }  // namespace epcc

@@ -38,7 +38,7 @@ RawCounts count(const std::vector<std::int32_t>& labels, const std::vector<std::
     if (labels[i] < 0 || truth[i] < 0) throw std::invalid_argument("labels must not be negative");
     if (!valid(i)) continue;
     if (cluster_ids.empty() || cluster_ids.back() != labels[i]) cluster_ids.push_back(labels[i]);
-    if (truth[i] != kIgnoreSurface && (surface_ids.empty() || surface_ids.back() != truth[i]))
+    if (truth[i] != kIgnoreLabel && (surface_ids.empty() || surface_ids.back() != truth[i]))
       surface_ids.push_back(truth[i]);
   }
   RawCounts raw;
@@ -49,7 +49,7 @@ RawCounts count(const std::vector<std::int32_t>& labels, const std::vector<std::
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (valid(i))
       ++raw.at(indexOf(raw.clusters, labels[i]),
-               truth[i] == kIgnoreSurface ? raw.columns - 1 : indexOf(raw.surfaces, truth[i]));
+               truth[i] == kIgnoreLabel ? raw.columns - 1 : indexOf(raw.surfaces, truth[i]));
   return raw;
 }
 

@@ -5,17 +5,17 @@
 #include <cstdint>
 #include <vector>
 
-namespace epcc {
+#include "datasets/files/image.h"
 
-/// Ground-truth label of pixels that are not scored.
-constexpr std::int32_t kIgnoreSurface = 65535;
+namespace epcc {
 
 /// Overlap counts O[c][g] over the scored pixels (valid depth, ground truth not ignored). Index 0 stands for
 /// unlabelled pixels and for ground that is no plane. Label ids may have gaps: rows and columns are the ids
 /// that occur, in ascending order.
 class OverlapTable {
  public:
-  /// All three arrays have one entry a pixel; depth_valid may be empty (all valid). A cluster more than half of
+  /// All three arrays have one entry a pixel; depth_valid may be empty (all valid); pixels whose truth is
+  /// kIgnoreLabel are not scored. A cluster more than half of
   /// whose pixels lie on ignored ground is not scored, unless it holds at least half of a surface's scored
   /// pixels; its pixels then count as unlabelled. Labels without depth are dropped.
   OverlapTable(const std::vector<std::int32_t>& labels, const std::vector<std::int32_t>& truth,

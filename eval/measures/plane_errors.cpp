@@ -67,7 +67,7 @@ TruePlanes truePlanes(const nlohmann::json& camera_extra) {
   for (const nlohmann::json& entry : *list) {
     if (!entry.is_object()) continue;
     const auto id = entry.find("id");
-    if (id == entry.end() || !id->is_number_integer()) continue;
+    if (id == entry.end() || !id->is_number_integer() || *id < 1 || *id >= kIgnoreLabel) continue;
     const std::optional<Eigen::Vector4d> plane = coefficients(entry);
     if (plane) planes[id->get<std::int32_t>()] = *plane;
   }

@@ -16,8 +16,8 @@ namespace epcc {
 /// Coefficients (a, b, c, d) with unit normal by label id.
 using TruePlanes = std::map<std::int32_t, Eigen::Vector4d>;
 
-/// The entries of a camera file's list "planes" that have an "id" and four "coefficients"; everything else, also a
-/// "planes" that is no list, is passed over.
+/// The entries of a camera file's list "planes" that have an "id" from 1 to 65534 and four "coefficients"; everything
+/// else, also a "planes" that is no list, is passed over.
 TruePlanes truePlanes(const nlohmann::json& camera_extra);
 
 /// A surface against the largest of the clusters it dominates.

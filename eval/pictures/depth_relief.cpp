@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datasets/support/quantile.h"
+
 namespace epcc {
 namespace {
 
@@ -86,14 +88,6 @@ double lit(const InverseDepth& image, int row, int column) {
   return 0.5 + 0.5 * cosine;
 }
 
-// Values below which `share` of the valid pixels lie.
-double percentile(std::vector<float> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
-}
-
 }  // namespace
 
 std::vector<float> depthRelief(const DepthImage& depth) {
@@ -101,10 +95,10 @@ std::vector<float> depthRelief(const DepthImage& depth) {
   const InverseDepth image = smooth(smooth(raw, 0, 1), 1, 0);
   std::vector<float> valid;
   std::copy_if(raw.w.begin(), raw.w.end(), std::back_inserter(valid), [](float w) { return w > 0.0F; });
-  const double far = percentile(valid, 0.02);
-  const double range = std::max(percentile(valid, 0.98) - far, 1e-9);
-
   std::vector<float> relief(depth.data.size(), -1.0F);
+  if (valid.empty()) return relief;
+  const double far = quantile(valid, 0.02);
+  const double range = std::max(quantile(valid, 0.98) - far, 1e-9);
   for (int row = 0; row < depth.height; ++row) {
     for (int column = 0; column < depth.width; ++column) {
       if (image.at(row, column) <= 0.0F) continue;

@@ -20,13 +20,13 @@ using Counts = std::vector<std::pair<const char*, long>>;
 /// The counts of summary.json in its order.
 Counts countsOf(long frames, long errors, const FrameMeasures& measures) {
   Counts counts = {{"frames", frames}, {"errors", errors}};
-  for (const MeasureField& field : countFields()) counts.emplace_back(field.name, valueOf(field, measures));
+  for (const MeasureField& field : countFields()) counts.emplace_back(field.name, field.value(measures));
   return counts;
 }
 
 Counts furtherCounts(const FrameMeasures& measures) {
   Counts counts;
-  for (const MeasureField& field : furtherFields()) counts.emplace_back(field.name, valueOf(field, measures));
+  for (const MeasureField& field : furtherFields()) counts.emplace_back(field.name, field.value(measures));
   return counts;
 }
 
@@ -158,7 +158,7 @@ std::vector<TableColumn> pageColumns() {
 std::vector<std::string> pageCells(const FrameRecord& record) {
   std::vector<std::string> cells = {record.dataset, record.frame, record.method};
   for (const MeasureField& field : countFields())
-    cells.push_back(record.error.empty() ? std::to_string(valueOf(field, record.measures)) : "-");
+    cells.push_back(record.error.empty() ? std::to_string(field.value(record.measures)) : "-");
   cells.push_back(milliseconds(record.ms, "-"));
   cells.push_back(record.error);
   return cells;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Style, script, tables and embedded pictures.
+// The page is one file: style, script and pictures are inside it.
 #include "eval/report/html_page.h"
 
 #include <cstdint>

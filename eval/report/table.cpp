@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Four writers of the same table.
+// The same table is written as text, CSV, Markdown or LaTeX.
 #include "eval/report/table.h"
 
 #include <algorithm>

@@ -2,41 +2,33 @@
 // Renders one frame after the other into a folder, or prints the noise figures of a folder.
 #include "eval/scene/scene_command.h"
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <ostream>
 
-#include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 #include "eval/program/command_line.h"
+#include "eval/program/progress_line.h"
 #include "eval/scene/noise_report.h"
 #include "eval/scene/scene_options.h"
 
 namespace epcc {
 namespace {
 
-void makeFolder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
-    throw OutputError(folder, "folder", "cannot be made" + (error ? ", " + error.message() : std::string()));
-}
-
 void renderFrames(const SceneCommandOptions& options, std::ostream& out, std::ostream& err) {
-  const bool progress = isatty(STDERR_FILENO) != 0;
-  makeFolder(options.out);
+  makeOutputFolder(options.out);
+  ProgressLine progress(err);
+  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
+  const std::size_t total = options.scenes.size() * static_cast<std::size_t>(seeds);
   std::size_t frames = 0;
   for (const std::string& scene : options.scenes) {
     for (std::uint64_t seed = options.first_seed;; ++seed) {
       LabelledFrame frame = renderScene(scene, seed, options.scene);
       applyNoise(frame, options.noise, seed);
       writeLabelledFrame(options.out, frame);
-      ++frames;
-      if (progress) err << "\r\033[K" << frame.name << std::flush;
+      progress.show(++frames, total);
       if (seed == options.last_seed) break;
     }
   }
-  if (progress) err << "\r\033[K" << std::flush;
+  progress.clear();
   out << frames << (frames == 1 ? " frame" : " frames") << " in " << options.out << '\n';
 }
 

@@ -112,7 +112,7 @@ TEST_P(SynpebTest, PlanesOfASphericalScanAreFoundByColumns) {
   std::vector<std::int32_t> truth;
   std::vector<std::uint8_t> valid;
   for (std::size_t i = 0; i < cloud.label.size(); ++i) {
-    truth.push_back(cloud.label[i] >= 10.0f ? static_cast<std::int32_t>(cloud.label[i]) : kIgnoreSurface);
+    truth.push_back(cloud.label[i] >= 10.0f ? static_cast<std::int32_t>(cloud.label[i]) : kIgnoreLabel);
     valid.push_back(std::isfinite(cloud.xyz[3 * i]));
   }
   const OverlapTable table(result.labels, truth, valid);

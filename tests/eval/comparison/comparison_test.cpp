@@ -35,8 +35,6 @@ TEST(ScoreStatistics, MeanAndSampleDeviation) {
   EXPECT_NEAR(deviationScores({one, two})[kClusters], 2.8284, 1e-4);
   EXPECT_EQ(deviationScores({one})[kClusters], 0.0);
   EXPECT_EQ(meanScores({})[kClusters], 0.0);
-  EXPECT_EQ(median({5.0, 1.0, 3.0}), 3.0);
-  EXPECT_EQ(median({}), 0.0);
 }
 
 TEST(ScoreStatistics, SharesAreOfTheSurfaces) {

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "datasets/support/quantile.h"
+#include "eval/experiment/time_counts.h"
 #include "eval/program/progress_line.h"
 #include "eval/report/evaluation_report.h"
 
@@ -50,6 +53,17 @@ TEST(ExperimentSummary, ErrorsAreCountedAndAddNothing) {
   EXPECT_EQ(summary.rows()[0].medianMs(), 5.0);
   EXPECT_EQ(summary.errors(), 1);
   EXPECT_EQ(summary.scored(), 1);
+}
+
+// epcc_eval counts times by value, epcc_compare keeps them all: what both call median_ms must be the same.
+TEST(ExperimentSummary, MedianIsThatOfAllTheTimes) {
+  std::vector<double> times;
+  TimeCounts counts;
+  for (const double ms : {9.0, 1.0, 4.0, 100.0, 4.001, 4.0, 0.25}) {
+    times.push_back(ms);
+    counts.add(ms);
+    EXPECT_NEAR(counts.medianMs().value(), median(times), 1e-9) << times.size();
+  }
 }
 
 TEST(ExperimentSummary, Median) {

@@ -18,7 +18,7 @@ struct Run {
   bool has_depth = true;
 };
 
-constexpr std::int32_t kIgnore = kIgnoreSurface;
+constexpr std::int32_t kIgnore = kIgnoreLabel;
 
 inline OverlapTable tableOf(const std::vector<Run>& runs) {
   std::vector<std::int32_t> labels, truth;

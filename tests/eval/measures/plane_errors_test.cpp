@@ -47,6 +47,15 @@ TEST(PlaneErrors, TinyAnglesAreNotLostAndRightAnglesAreNinety) {
   EXPECT_NEAR(errorsOf(tilted(0.0, 1.0), tilted(90.0, 1.0)).at(0).normal_degrees, 90.0, 1e-9);
 }
 
+TEST(PlaneErrors, IdsThatAreNoLabelsArePassedOver) {
+  const auto planes = epcc::truePlanes(nlohmann::json::parse(
+      R"({"planes": [{"id": 4294967299, "coefficients": [0, 0, -1, 1]}, {"id": 18446744073709551615, "coefficients": [0, 0, -1, 1]},
+                     {"id": 0, "coefficients": [0, 0, -1, 1]}, {"id": -3, "coefficients": [0, 0, -1, 1]},
+                     {"id": 65535, "coefficients": [0, 0, -1, 1]}, {"id": 65534, "coefficients": [0, 0, -1, 1]}]})"));
+  ASSERT_EQ(planes.size(), 1U);
+  EXPECT_EQ(planes.begin()->first, 65534);
+}
+
 TEST(PlaneErrors, OfTheLargestClusterThatTheSurfaceDominates) {
   const std::vector<Plane> planes = {planeOf(tilted(1.0, 1.0)), planeOf(tilted(2.0, 1.0)), planeOf(tilted(4.0, 1.0))};
   // Cluster 3 holds most of surface 7 but belongs to surface 8.
