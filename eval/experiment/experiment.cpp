@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One frame through every method; a pool of threads; records sorted as they come.
+// Threads take frame after frame through every method; records are handed on in the order of the frames.
 #include "eval/experiment/experiment.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include "baselines/imported_labels_segmenter.h"
@@ -123,7 +124,11 @@ void runExperiment(const FrameJobs& jobs, const std::vector<Method>& methods, co
   };
   std::vector<std::thread> helpers;
   const std::size_t threads = std::min<std::size_t>(std::max(options.jobs, 1), jobs.size());
-  for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back(work);
+  try {
+    for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those that there are do the work.
+  }
   work();
   for (std::thread& helper : helpers) helper.join();
   if (failure) std::rethrow_exception(failure);

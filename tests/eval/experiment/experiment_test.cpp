@@ -13,6 +13,7 @@
 
 #include "datasets/sources/native_folder.h"
 #include "datasets/support/input_error.h"
+#include "tests/support/address_limit.h"
 #include "tests/support/real_frames.h"
 #include "tests/support/tiny_frames.h"
 
@@ -65,6 +66,20 @@ std::vector<FrameRecord> run(const Sources& sources, const std::vector<Method>& 
     all.insert(all.end(), records.begin(), records.end());
   });
   return all;
+}
+
+TEST(Experiment, ThreadsThatCannotBeStartedAreDoneWithout) {
+  EPCC_NEED_ADDRESS_LIMIT();
+  std::vector<LabelledFrame> frames;
+  for (int i = 0; i < 64; ++i) frames.push_back(tinyFrame("f" + std::to_string(i), 0));
+  const Sources sources = oneSource(std::move(frames));
+  ExperimentOptions options;
+  options.jobs = 64;
+  const test::AddressLimit limit(std::uint64_t{48} << 20);  // a thread's stack takes 8
+  ASSERT_TRUE(limit.ok());
+  const std::vector<FrameRecord> records = run(sources, {oracle()}, options);
+  ASSERT_EQ(records.size(), 64U);
+  for (const FrameRecord& record : records) EXPECT_EQ(record.error, "");
 }
 
 TEST(Experiment, PerfectSegmentationScoresN) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a program throws becomes one line and an exit code.
+#include "eval/program/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <sstream>
+#include <stdexcept>
+
+#include "datasets/support/input_error.h"
+
+namespace epcc {
+namespace {
+
+/// Exit code and line of a step that throws.
+template <typename Error>
+std::pair<int, std::string> outcome(const Error& error, const std::string& program = "epcc_test") {
+  std::ostringstream err;
+  const int code = runStep(program, err, [&]() -> int { throw error; });
+  return {code, err.str()};
+}
+
+using Outcome = std::pair<int, std::string>;
+
+TEST(RunStep, ErrorsBecomeALineAndAnExitCode) {
+  EXPECT_EQ(outcome(InputError("a.png", "size", "is odd")), Outcome(3, "epcc_test: a.png: size: is odd\n"));
+  EXPECT_EQ(outcome(OutputError("a.png", "file", "disk full")), Outcome(4, "epcc_test: a.png: file: disk full\n"));
+  EXPECT_EQ(outcome(std::bad_alloc()), Outcome(3, "epcc_test: needs more memory than there is\n"));
+  EXPECT_EQ(outcome(std::runtime_error("two\nlines")), Outcome(3, "epcc_test: two?lines\n"));
+  EXPECT_EQ(outcome(std::runtime_error("x"), "epcc_eval merge"), Outcome(3, "epcc_eval: merge: x\n"));
+}
+
+TEST(RunStep, CodesArePassedOn) {
+  std::ostringstream err;
+  EXPECT_EQ(runStep("epcc_test", err, [] { return 2; }), 2);
+  EXPECT_EQ(err.str(), "");
+}
+
+TEST(RunProgram, OutputThatCannotBeWrittenIsAnError) {
+  std::ostringstream out, err;
+  EXPECT_EQ(runProgram("epcc_test", out, err, [] { return kExitDone; }), kExitDone);
+  out.setstate(std::ios::badbit);
+  EXPECT_EQ(runProgram("epcc_test", out, err, [] { return kExitDone; }), kExitOutput);
+  EXPECT_EQ(err.str(), "epcc_test: standard output: cannot be written\n");
+}
+
+}  // namespace
+}  // namespace epcc
