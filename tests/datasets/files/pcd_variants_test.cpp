@@ -2,6 +2,8 @@
 // PCD files of other programs that PCL reads: without VERSION, with integer coordinates, with NaN in Microsoft's words.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "datasets/files/organized_pcd.h"
 #include "tests/datasets/files/pcd_text.h"
 #include "tests/support/expect_errors.h"
