@@ -95,7 +95,7 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
   times_.result += watch.lap();
   return true;
 } catch (const std::bad_alloc&) {
-  return fail(Status::OutOfMemory, "there is not enough memory for the frame", result);
+  return fail(Status::OutOfMemory, "out of memory", result);  // short enough to need none
 } catch (const std::exception& error) {
   return fail(Status::Failed, error.what(), result);
 }

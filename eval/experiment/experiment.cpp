@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
 #include <map>
 #include <mutex>
 #include <stdexcept>
-#include <system_error>
-#include <thread>
 
 #include "baselines/imported_labels_segmenter.h"
 #include "datasets/support/input_error.h"
+#include "epcc_segmentation/on_threads.h"
 #include "eval/program/frame_sensor.h"
 
 namespace epcc {
@@ -106,8 +104,6 @@ void runExperiment(const FrameJobs& jobs, const std::vector<Method>& methods, co
                    const FrameDone& done, const FrameInOrder& in_order) {
   InOrder sorter(in_order);
   std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex failure_mutex;
   const auto work = [&] {
     try {
       const auto segmenters = makeAll(methods);
@@ -117,21 +113,11 @@ void runExperiment(const FrameJobs& jobs, const std::vector<Method>& methods, co
         sorter.add(i, std::move(result.records));
       }
     } catch (...) {
-      next = jobs.size();
-      const std::lock_guard<std::mutex> lock(failure_mutex);
-      if (!failure) failure = std::current_exception();
+      next = jobs.size();  // the other threads stop, too
+      throw;
     }
   };
-  std::vector<std::thread> helpers;
-  const std::size_t threads = std::min<std::size_t>(std::max(options.jobs, 1), jobs.size());
-  try {
-    for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back(work);
-  } catch (const std::system_error&) {
-    // The system gives no more threads: those that there are do the work.
-  }
-  work();
-  for (std::thread& helper : helpers) helper.join();
-  if (failure) std::rethrow_exception(failure);
+  onThreads(static_cast<int>(std::min<std::size_t>(std::max(options.jobs, 1), jobs.size())), work);
 }
 
 }  // namespace epcc

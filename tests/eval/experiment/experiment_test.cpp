@@ -2,19 +2,18 @@
 // Frames through methods: scores, errors, order.
 #include "eval/experiment/experiment.h"
 
-#include "epcc_segmentation/sensor_estimation.h"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
+#include <new>
 #include <stdexcept>
 #include <thread>
 
 #include "datasets/sources/native_folder.h"
 #include "datasets/support/input_error.h"
-#include "tests/support/address_limit.h"
+#include "epcc_segmentation/sensor_estimation.h"
 #include "tests/support/real_frames.h"
+#include "tests/support/refused_threads.h"
 #include "tests/support/tiny_frames.h"
 
 namespace {
@@ -25,7 +24,7 @@ using test::tinyFrame;
 
 using Sources = std::vector<std::unique_ptr<FrameSource>>;
 
-/// Finds the planes of the truth, or fails, or takes its time.
+/// Finds the planes of the truth, or fails.
 class OracleSegmenter : public PlaneSegmenter {
  public:
   OracleSegmenter(std::string failing_frame, SensorModel* seen)
@@ -36,8 +35,6 @@ class OracleSegmenter : public PlaneSegmenter {
   bool run(const SegmenterInput& input, PlaneSegmentation& result) override {
     if (seen_ != nullptr) *seen_ = input.sensor;
     if (input.name == failing_frame_) return fail("no luck today");
-    // Earlier frames take longer, so that they finish out of order.
-    if (input.name == "f0") std::this_thread::sleep_for(std::chrono::milliseconds(60));
     const LabelledFrame truth = tinyFrame("", 0);
     std::copy(truth.labels.data.begin(), truth.labels.data.end(), result.labels.begin());
     fitLabels(input, 3, result);
@@ -53,6 +50,23 @@ Method oracle(const std::string& failing_frame = "-", SensorModel* seen = nullpt
   return {"oracle", [=] { return std::make_unique<OracleSegmenter>(failing_frame, seen); }, true};
 }
 
+/// Another segmenter finishes the first frame only after another frame, so that they finish out of order.
+class LateFirstFrame : public OracleSegmenter {
+ public:
+  explicit LateFirstFrame(std::atomic<bool>* another_done)
+      : OracleSegmenter("-", nullptr), another_done_(another_done) {}
+
+ protected:
+  bool run(const SegmenterInput& input, PlaneSegmentation& result) override {
+    if (input.name != "f0") *another_done_ = true;
+    while (!*another_done_) std::this_thread::yield();
+    return OracleSegmenter::run(input, result);
+  }
+
+ private:
+  std::atomic<bool>* another_done_;
+};
+
 Sources oneSource(std::vector<LabelledFrame> frames) {
   Sources sources;
   sources.push_back(std::make_unique<MemorySource>("rooms", std::move(frames)));
@@ -66,20 +80,6 @@ std::vector<FrameRecord> run(const Sources& sources, const std::vector<Method>& 
     all.insert(all.end(), records.begin(), records.end());
   });
   return all;
-}
-
-TEST(Experiment, ThreadsThatCannotBeStartedAreDoneWithout) {
-  EPCC_NEED_ADDRESS_LIMIT();
-  std::vector<LabelledFrame> frames;
-  for (int i = 0; i < 64; ++i) frames.push_back(tinyFrame("f" + std::to_string(i), 0));
-  const Sources sources = oneSource(std::move(frames));
-  ExperimentOptions options;
-  options.jobs = 64;
-  const test::AddressLimit limit(std::uint64_t{48} << 20);  // a thread's stack takes 8
-  ASSERT_TRUE(limit.ok());
-  const std::vector<FrameRecord> records = run(sources, {oracle()}, options);
-  ASSERT_EQ(records.size(), 64U);
-  for (const FrameRecord& record : records) EXPECT_EQ(record.error, "");
 }
 
 TEST(Experiment, PerfectSegmentationScoresN) {
@@ -152,7 +152,9 @@ TEST(Experiment, OrderDoesNotDependOnTheThreads) {
   for (unsigned i = 0; i < 8; ++i) frames.push_back(tinyFrame("f" + std::to_string(i), i));
   const Sources sources = oneSource(frames);
   for (const int jobs : {1, 2, 5, 30}) {
-    const auto records = run(sources, {oracle(), oracle("f3")}, {"", jobs});
+    std::atomic<bool> another_done{jobs == 1};
+    const Method late = {"late", [&] { return std::make_unique<LateFirstFrame>(&another_done); }, true};
+    const auto records = run(sources, {late, oracle("f3")}, {"", jobs});
     ASSERT_EQ(records.size(), 16U);
     for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(records[i].frame, "f" + std::to_string(i / 2)) << jobs;
     EXPECT_EQ(records[7].error, "no luck today");
@@ -171,6 +173,21 @@ TEST(Experiment, WhatWritingThrowsEndsTheRun) {
     EXPECT_THROW(runExperiment(listJobs(sources), {oracle()}, {"", jobs}, full, {}), OutputError);
     EXPECT_LE(calls, jobs);
   }
+}
+
+TEST(Experiment, WhatMakingASegmenterThrowsEndsTheRun) {
+  const Sources sources = oneSource(std::vector<LabelledFrame>(40, tinyFrame("f", 1)));
+  const Method broken = {"broken", []() -> std::unique_ptr<PlaneSegmenter> { throw std::bad_alloc(); }, true};
+  for (const int jobs : {1, 3}) EXPECT_THROW(run(sources, {broken}, {"", jobs}), std::bad_alloc) << jobs;
+}
+
+TEST(Experiment, WithoutThreadsTheRunIsTheSame) {
+  const Sources sources = oneSource({tinyFrame("f0", 1), tinyFrame("f1", 2), tinyFrame("f2", 3)});
+  EXPECT_TRUE(test::holdsWithoutThreads([&] {
+    const auto records = run(sources, {oracle("f1")}, {"", 3});
+    return records.size() == 3 && records[0].measures.segcomp.correct == 3 && records[1].error == "no luck today" &&
+           records[2].measures.segcomp.correct == 3;
+  }));
 }
 
 TEST(Experiment, ResultsCarryFrameAndLabelsForTheFiles) {

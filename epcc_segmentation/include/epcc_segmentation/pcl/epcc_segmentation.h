@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -229,6 +230,17 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   /// Says once for each of the calls, numbered from 0, that it does nothing.
   void warnWithoutEffect(unsigned call, const char* name, const char* why);
 
+  /// Clears the outputs and fills them by the action; they are clear again, and it is reported, if memory runs out.
+  template <typename Clear, typename Action>
+  void attempt(const char* method, const Clear& clear, const Action& action) {
+    clear();
+    try {
+      action();
+    } catch (const std::bad_alloc&) {
+      clear();
+      report(method, Status::OutOfMemory, "out of memory");  // short enough to need none
+    }
+  }
   /// Checks the input and segments it into segmentation_; on bad input reports it as found by `method`.
   bool compute(const char* method);
   Status checkInput(std::string& what) const;

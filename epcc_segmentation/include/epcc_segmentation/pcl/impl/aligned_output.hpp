@@ -16,33 +16,41 @@ void EPCCSegmentation<PointT>::segment(std::vector<pcl::ModelCoefficients>& mode
                                        std::vector<pcl::PointIndices>& inlier_indices, Centroids& centroids,
                                        Covariances& covariances, PointCloudL& labels,
                                        std::vector<pcl::PointIndices>& label_indices) {
-  model_coefficients.clear();
-  inlier_indices.clear();
-  centroids.clear();
-  covariances.clear();
-  labels.clear();
-  label_indices.clear();
-  if (!compute("segment")) return;
-  copyModels(model_coefficients);
-  copyInliers(inlier_indices);
-  for (const Plane& plane : segmentation_.planes) {
-    centroids.push_back(plane.centroid.homogeneous().template cast<float>());
-    covariances.push_back(plane.points_covariance.template cast<float>());
-  }
-  copyLabels(labels);
-  label_indices = inlier_indices;
+  const auto clear = [&] {
+    model_coefficients.clear();
+    inlier_indices.clear();
+    centroids.clear();
+    covariances.clear();
+    labels.clear();
+    label_indices.clear();
+  };
+  attempt("segment", clear, [&] {
+    if (!compute("segment")) return;
+    copyModels(model_coefficients);
+    copyInliers(inlier_indices);
+    for (const Plane& plane : segmentation_.planes) {
+      centroids.push_back(plane.centroid.homogeneous().template cast<float>());
+      covariances.push_back(plane.points_covariance.template cast<float>());
+    }
+    copyLabels(labels);
+    label_indices = inlier_indices;
+  });
 }
 
 template <typename PointT>
 void EPCCSegmentation<PointT>::segment(PlanarRegions& regions) {
-  regions.clear();
-  if (compute("segment")) copyRegions(regions, nullptr);
+  const auto clear = [&] { regions.clear(); };
+  attempt("segment", clear, [&] {
+    if (compute("segment")) copyRegions(regions, nullptr);
+  });
 }
 
 template <typename PointT>
 void EPCCSegmentation<PointT>::segmentAndRefine(PlanarRegions& regions) {
-  regions.clear();
-  if (compute("segmentAndRefine")) copyRegions(regions, nullptr);
+  const auto clear = [&] { regions.clear(); };
+  attempt("segmentAndRefine", clear, [&] {
+    if (compute("segmentAndRefine")) copyRegions(regions, nullptr);
+  });
 }
 
 template <typename PointT>
@@ -51,19 +59,23 @@ void EPCCSegmentation<PointT>::segmentAndRefine(PlanarRegions& regions,
                                                 std::vector<pcl::PointIndices>& inlier_indices, PointCloudLPtr& labels,
                                                 std::vector<pcl::PointIndices>& label_indices,
                                                 std::vector<pcl::PointIndices>& boundary_indices) {
-  regions.clear();
-  model_coefficients.clear();
-  inlier_indices.clear();
-  if (!labels) labels = pcl::make_shared<PointCloudL>();
-  labels->clear();
-  label_indices.clear();
-  boundary_indices.clear();
-  if (!compute("segmentAndRefine")) return;
-  copyRegions(regions, &boundary_indices);
-  copyModels(model_coefficients);
-  copyInliers(inlier_indices);
-  copyLabels(*labels);
-  label_indices = inlier_indices;
+  const auto clear = [&] {
+    regions.clear();
+    model_coefficients.clear();
+    inlier_indices.clear();
+    if (labels) labels->clear();
+    label_indices.clear();
+    boundary_indices.clear();
+  };
+  attempt("segmentAndRefine", clear, [&] {
+    if (!labels) labels = pcl::make_shared<PointCloudL>();
+    if (!compute("segmentAndRefine")) return;
+    copyRegions(regions, &boundary_indices);
+    copyModels(model_coefficients);
+    copyInliers(inlier_indices);
+    copyLabels(*labels);
+    label_indices = inlier_indices;
+  });
 }
 
 template <typename PointT>

@@ -71,21 +71,27 @@ void EPCCSegmentation<PointT>::warnWithoutEffect(unsigned call, const char* name
 template <typename PointT>
 void EPCCSegmentation<PointT>::segment(std::vector<pcl::ModelCoefficients>& model_coefficients,
                                        std::vector<pcl::PointIndices>& inlier_indices) {
-  model_coefficients.clear();
-  inlier_indices.clear();
-  if (!compute("segment")) return;
-  copyModels(model_coefficients);
-  copyInliers(inlier_indices);
+  const auto clear = [&] {
+    model_coefficients.clear();
+    inlier_indices.clear();
+  };
+  attempt("segment", clear, [&] {
+    if (!compute("segment")) return;
+    copyModels(model_coefficients);
+    copyInliers(inlier_indices);
+  });
 }
 
 template <typename PointT>
 void EPCCSegmentation<PointT>::extract(std::vector<pcl::PointIndices>& clusters) {
-  clusters.clear();
-  if (compute("extract")) copyInliers(clusters);
+  const auto clear = [&] { clusters.clear(); };
+  attempt("extract", clear, [&] {
+    if (compute("extract")) copyInliers(clusters);
+  });
 }
 
 template <typename PointT>
-bool EPCCSegmentation<PointT>::compute(const char* method) try {
+bool EPCCSegmentation<PointT>::compute(const char* method) {
   static_assert(std::is_same<decltype(PointT::x), float>::value, "the coordinates must be float");
   static_assert(sizeof(PointT) % sizeof(float) == 0, "points must be a whole number of floats apart");
 
@@ -107,8 +113,6 @@ bool EPCCSegmentation<PointT>::compute(const char* method) try {
   extractor_.setParameters(parameters_);
   extractor_.extract(frame, segmentation_);
   return report(method, extractor_.status(), extractor_.error());
-} catch (const std::bad_alloc&) {
-  return report(method, Status::OutOfMemory, "there is not enough memory for the cloud");
 }
 
 template <typename PointT>
@@ -150,7 +154,11 @@ bool EPCCSegmentation<PointT>::report(const char* method, Status status, const s
   error_ = status == Status::Ok ? std::string() : what;
   if (status == Status::Ok) return true;
   segmentation_ = PlaneSegmentation();
-  PCL_ERROR("[epcc::%s::%s] %s.\n", getClassName().c_str(), method, what.c_str());
+  try {
+    PCL_ERROR("[epcc::%s::%s] %s.\n", getClassName().c_str(), method, what.c_str());
+  } catch (const std::bad_alloc&) {
+    // Printing takes memory, too: without any the status has to do.
+  }
   return false;
 }
 
