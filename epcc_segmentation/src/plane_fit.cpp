@@ -125,7 +125,7 @@ Plane planeOf(const PointMoments& moments, const SensorModel& sensor) {
   return plane;
 }
 
-/// Calls visit(moments, row, first column, end) for every run of a label along a row.
+/// Calls visit(moments, row, first column, end) for every run of one of the labels 1..plane_count along a row.
 template <typename Visit>
 std::vector<PointMoments> forEachRun(const DepthFrame& frame, int plane_count, const std::vector<std::int32_t>& labels,
                                      const Visit& visit) {
@@ -134,7 +134,7 @@ std::vector<PointMoments> forEachRun(const DepthFrame& frame, int plane_count, c
     for (int column = 0, end = 0; column < frame.width(); column = end) {
       const std::int32_t label = labels[frame.index(row, column)];
       for (end = column + 1; end < frame.width() && labels[frame.index(row, end)] == label;) ++end;
-      if (label > 0) visit(moments[static_cast<std::size_t>(label - 1)], row, column, end);
+      if (label > 0 && label <= plane_count) visit(moments[static_cast<std::size_t>(label - 1)], row, column, end);
     }
   return moments;
 }
@@ -190,7 +190,10 @@ std::vector<PointMoments> momentsOfDepths(const DepthFrame& frame, const SensorM
 
 }  // namespace
 
-void fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count, PlaneSegmentation& segmentation) {
+bool fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count, PlaneSegmentation& segmentation) {
+  segmentation.planes.clear();
+  const auto pixels = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
+  if (plane_count < 0 || segmentation.labels.size() != pixels) return false;
   const auto momentsOf = frame.isPinhole() && !frame.isTransposed() ? momentsOfDepths : momentsOfPoints;
   const std::vector<PointMoments> moments = momentsOf(frame, sensor, plane_count, segmentation.labels);
   std::vector<std::size_t> order(moments.size());
@@ -198,13 +201,14 @@ void fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_cou
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return moments[i].plain.one > moments[j].plain.one; });
   std::vector<std::int32_t> new_label(moments.size() + 1, 0);
-  segmentation.planes.clear();
   for (const std::size_t i : order) {
     if (moments[i].plain.one == 0.0) break;
     segmentation.planes.push_back(planeOf(moments[i], sensor));
     new_label[i + 1] = static_cast<std::int32_t>(segmentation.planes.size());
   }
-  for (auto& label : segmentation.labels) label = new_label[static_cast<std::size_t>(label)];
+  for (auto& label : segmentation.labels)
+    label = label > 0 && label <= plane_count ? new_label[static_cast<std::size_t>(label)] : 0;
+  return true;
 }
 
 }  // namespace epcc

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "tests/support/rendered_room.h"
 
@@ -44,6 +45,41 @@ TEST(PlaneFit, LabelsWithoutPixelsDisappear) {
   const auto result = fitted(room, *SensorModel::preset("d435i"), 9);
   EXPECT_EQ(result.planes.size(), 3u);
   EXPECT_EQ(*std::max_element(result.labels.begin(), result.labels.end()), 3);
+}
+
+TEST(PlaneFit, OtherLabelsThanThePlanesCountAsNone) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  const auto usual = fitted(room, *SensorModel::preset("d435i"), 3);
+  for (std::size_t i = 0; i < room.labels.size(); ++i)
+    if (usual.labels[i] == 3) room.labels[i] = i % 2 == 0 ? 4 : -7;
+  room.labels.front() = std::numeric_limits<std::int32_t>::max();
+  room.labels.back() = std::numeric_limits<std::int32_t>::min();
+  const auto frame = room.frame();
+  for (const auto& view : {frame, frame.transposed()}) {
+    PlaneSegmentation segmentation;
+    segmentation.labels = room.labels;
+    EXPECT_TRUE(epcc::fitPlanes(view, *SensorModel::preset("d435i"), 3, segmentation));
+    ASSERT_EQ(segmentation.planes.size(), 2u);
+    for (std::size_t i = 1; i + 1 < room.labels.size(); ++i)
+      ASSERT_EQ(segmentation.labels[i], usual.labels[i] == 3 ? 0 : usual.labels[i]) << i;
+    EXPECT_EQ(segmentation.labels.front(), 0);
+    EXPECT_EQ(segmentation.labels.back(), 0);
+  }
+}
+
+TEST(PlaneFit, RefusesLabelsOfAnotherSizeAndANegativeCount) {
+  const auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  const auto refused = [&](std::size_t labels, int plane_count) {
+    PlaneSegmentation segmentation;
+    segmentation.planes.resize(2);
+    segmentation.labels.assign(labels, 1);
+    const bool done = epcc::fitPlanes(room.frame(), *SensorModel::preset("d435i"), plane_count, segmentation);
+    return !done && segmentation.planes.empty() && segmentation.labels == std::vector<std::int32_t>(labels, 1);
+  };
+  EXPECT_TRUE(refused(room.labels.size() - 1, 1));
+  EXPECT_TRUE(refused(room.labels.size() + 1, 1));
+  EXPECT_TRUE(refused(0, 1));
+  EXPECT_TRUE(refused(room.labels.size(), -1));
 }
 
 TEST(PlaneFit, CentroidAndPointCovarianceAreThoseOfThePoints) {

@@ -10,8 +10,10 @@
 namespace epcc {
 
 /// Fills segmentation.planes from its labels 1..plane_count: orthogonal least squares, each point weighted by
-/// 1 / sigma_z^2. Then sorts planes and labels by pixel count, largest first, and drops labels without pixels.
-EPCC_CORE_EXPORT void fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count,
+/// 1 / sigma_z^2. Then sorts planes and labels by pixel count, largest first, and drops labels without pixels. Any
+/// other label counts as 0 and becomes it. False, with no planes and the labels as they were, if there is not one label
+/// for every pixel of the frame or the count is negative.
+EPCC_CORE_EXPORT bool fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count,
                                 PlaneSegmentation& segmentation);
 
 }  // namespace epcc

@@ -3,6 +3,7 @@
 #include "sensor/depth_bins.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -93,6 +94,7 @@ std::vector<DepthBin> measureDepthBins(const InverseDepthImage& image, int block
 }
 
 std::array<double, kLags.size()> correlationOf(const std::vector<DepthBin>& bins, double roughest) {
+  assert(!bins.empty());
   std::array<double, kLags.size()> correlation{};
   const auto clear = clearBins(bins);
   for (std::size_t k = 0; k < kLags.size(); ++k) correlation[k] = correlationAt(clear, k, roughest);

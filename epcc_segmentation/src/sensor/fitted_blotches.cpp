@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -46,6 +47,7 @@ double absorbed(const Axis& x, const Axis& y, int lag) {
 }  // namespace
 
 FittedBlotches fittedBlotches(double length, int size) {
+  assert(length > 0.0 && size > 1);  // one pixel has no tilt
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size, -0.5, 0.5) * (size - 1);
   const auto correlation = [length](double distance) {
     return std::exp(-distance * distance / (2.0 * length * length));
@@ -72,6 +74,7 @@ double Blotches::errorOverResidual() const {
 
 // Lag 1 is left out: resampling to another grid correlates direct neighbours whatever the sensor does.
 Blotches fitBlotches(const std::array<double, kLags.size()>& correlation, int block_size) {
+  assert(block_size > 1);
   Blotches best;
   best.block_size = block_size;
   double smallest = std::numeric_limits<double>::infinity();

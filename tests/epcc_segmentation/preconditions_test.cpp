@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What inner functions take for granted is asserted, in builds with assertions.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "epcc_segmentation/depth_frame.h"
+#include "sensor/depth_bins.h"
+#include "sensor/fitted_blotches.h"
+#include "sensor/quantile.h"
+
+namespace {
+
+#ifdef NDEBUG
+#define EPCC_EXPECT_ASSERTION(statement, condition) GTEST_SKIP() << "this build has no assertions"
+#else
+#define EPCC_EXPECT_ASSERTION(statement, condition) EXPECT_DEATH(statement, condition)
+#endif
+
+TEST(Preconditions, DepthRowIsOfADepthImage) {
+  [[maybe_unused]] float row[2];
+  const std::vector<float> cloud(12, 1.0f);
+  [[maybe_unused]] const auto frame =
+      epcc::DepthFrame::fromPoints(cloud.data(), 3, 2, 2, epcc::Projection::Perspective);
+  EPCC_EXPECT_ASSERTION(frame.depthRow(0, row), "isPinhole");
+}
+
+TEST(Preconditions, QuantileIsOfSomething) {
+  EPCC_EXPECT_ASSERTION(epcc::quantile(std::vector<double>(), 0.5), "empty");
+}
+
+TEST(Preconditions, CorrelationIsOfSomeBins) {
+  EPCC_EXPECT_ASSERTION(epcc::correlationOf({}, 1.5), "empty");
+}
+
+TEST(Preconditions, BlotchesAreSeenInABlockWithATilt) {
+  EPCC_EXPECT_ASSERTION(epcc::fittedBlotches(2.0, 1), "size > 1");
+  EPCC_EXPECT_ASSERTION(epcc::fittedBlotches(0.0, 16), "length > 0");
+}
+
+}  // namespace
