@@ -90,8 +90,11 @@ TEST(Mosaic, EmptyPicturesLeaveTheirCellBlank) {
   EXPECT_EQ(count(image, kRed), 200);
 }
 
-TEST(Mosaic, NothingToShow) {
-  EXPECT_NO_THROW(drawMosaic(Mosaic(), smallStyle()));
+TEST(Mosaic, NothingToShowIsAnEmptyMargin) {
+  const ColorImage image = drawMosaic(Mosaic(), smallStyle());
+  EXPECT_EQ(image.width, 4);
+  EXPECT_EQ(image.height, 4);
+  EXPECT_EQ(count(image, smallStyle().background), 16);
 }
 
 TEST(Mosaic, RefusesBadStyle) {

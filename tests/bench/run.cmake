@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Script of the test: every case of the benchmark runs to its end on the smallest frame and has its documented name.
+cmake_minimum_required(VERSION 3.22)
+
+set(methods Floor Auto Paper Default PclOrganizedMultiPlane)
+set(expected)
+foreach(method ${methods})
+  list(APPEND expected ${method}/320x240)
+endforeach()
+list(APPEND expected Paper/320x240/threads:2 Default/320x240/threads:2)
+
+execute_process(COMMAND ${BENCH} --benchmark_filter=/320x240 --benchmark_min_time=0.001 --benchmark_format=json
+                RESULT_VARIABLE result OUTPUT_VARIABLE json ERROR_VARIABLE errors)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "exit code ${result}: ${errors}")
+endif()
+string(JSON count LENGTH "${json}" benchmarks)
+math(EXPR last "${count} - 1")
+set(found)
+foreach(i RANGE ${last})
+  string(JSON name GET "${json}" benchmarks ${i} name)
+  string(JSON error ERROR_VARIABLE none GET "${json}" benchmarks ${i} error_message)
+  if(NOT none)
+    message(FATAL_ERROR "${name}: ${error}")
+  endif()
+  list(APPEND found ${name})
+endforeach()
+list(SORT expected)
+list(SORT found)
+if(NOT found STREQUAL expected)
+  message(FATAL_ERROR "cases: ${found}\nexpected: ${expected}")
+endif()
