@@ -55,6 +55,8 @@ large=$(evaluate 160x120 10000 epcc)
 row "160x120, epcc" 10000 <<<"$large"
 merge=$(measured "$bin/epcc_eval" merge "$dir/out_160x120_10000" --out "$dir/merged")
 row "merge of the second row" 10000 <<<"$merge 0"
+# Once more: what else the machine does meanwhile is not growth.
+again=$(evaluate 160x120 1000 epcc)
 one=$(evaluate 640x480 96 epcc)
 row "640x480, epcc" 96 <<<"$one"
 five=$(evaluate 640x480 16 "$all")
@@ -73,7 +75,8 @@ echo "| 160x120, epcc |$(hours 10000 "$large")"
 echo "| 640x480, epcc |$(hours 96 "$one")"
 echo "| 640x480, all five |$(hours 16 "$five")"
 
-# Flat: a tenth more time and five MB more memory would be growth.
-awk -v s="$small" -v l="$large" 'BEGIN { split(s, a); split(l, b)
-  exit !(b[1] / 10000 < 1.1 * a[1] / 1000 && b[2] < a[2] + 5 * 1024) }' ||
+# Flat: a tenth more time than the slower of the runs before and after, and five MB more memory, would be growth.
+awk -v s="$small" -v l="$large" -v r="$again" 'BEGIN { split(s, a); split(l, b); split(r, c)
+  slower = a[1] > c[1] ? a[1] : c[1]
+  exit !(b[1] / 10000 < 1.1 * slower / 1000 && b[2] < a[2] + 5 * 1024) }' ||
   { echo "scale_test.sh: time or memory grows with the number of frames" >&2; exit 1; }

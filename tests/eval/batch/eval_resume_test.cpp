@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs that are killed, gone on with, or refused.
-#include <algorithm>
-#include <random>
+// Runs that are gone on with, or refused.
+#include <filesystem>
 
 #include "tests/eval/batch/eval_runner.h"
 
@@ -15,43 +14,7 @@ class EvalResume : public EvalToolTest {
   void writeFrames(const std::string& folder, unsigned count) const {
     for (unsigned i = 0; i < count; ++i) writeFrame(folder, "f" + std::to_string(i), i);
   }
-  std::size_t files(const std::string& folder) const {
-    std::size_t count = 0;
-    if (!exists(folder)) return 0;
-    for (const auto& entry : fs::recursive_directory_iterator(path(folder))) count += entry.is_regular_file() ? 1 : 0;
-    return count;
-  }
 };
-
-TEST_F(EvalResume, KilledAgainAndAgainTheReportIsThatOfOneRun) {
-  writeFrames("rooms", 30);
-  writeFrames("halls", 5);
-  write("rooms/f7_depth.png", "broken");
-  const std::vector<std::string> arguments = {"rooms", "halls", "--methods", "epcc-paper,omps", "--resume", "--out"};
-  const auto with = [&](const std::string& out) {
-    auto all = arguments;
-    all.push_back(out);
-    return all;
-  };
-  ASSERT_EQ(run(with("whole")).exit_code, 0);
-  std::mt19937 random(7);
-  int killed = 0, delay = 5;
-  std::size_t partly = 0;
-  for (int exit_code = 137; exit_code == 137; delay += 3 + delay / 6) {
-    const auto result = runAndKill(with("pieces"), delay + static_cast<int>(random() % 20));
-    exit_code = result.exit_code;
-    ASSERT_TRUE(exit_code == 137 || exit_code == 0) << result.err;
-    const std::size_t done = files("pieces/results");
-    if (exit_code == 137 && done > 0 && done < 35) ++partly;
-    killed += exit_code == 137 ? 1 : 0;
-    ASSERT_LT(delay, 30000);
-  }
-  EXPECT_GE(killed, 3);
-  EXPECT_GE(partly, 1U) << "killed between the first frame and the last";
-  EXPECT_EQ(report("pieces"), report("whole"));
-  EXPECT_EQ(files("pieces"), files("whole")) << "nothing half written is left";
-  EXPECT_EQ(row("pieces", "rooms", "omps").at("errors"), 1);
-}
 
 TEST_F(EvalResume, WhatIsDoneIsNotDoneAgain) {
   writeFrames("rooms", 3);

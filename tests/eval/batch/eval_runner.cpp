@@ -18,10 +18,6 @@ ToolResult EvalToolTest::run(const std::vector<std::string>& arguments) const {
   return runShell("", arguments);
 }
 
-ToolResult EvalToolTest::runAndKill(const std::vector<std::string>& arguments, int milliseconds) const {
-  return runShell("timeout -s KILL " + std::to_string(1e-3 * milliseconds) + " ", arguments);
-}
-
 void EvalToolTest::expectFailure(const std::vector<std::string>& arguments, int exit_code,
                                  const std::string& words) const {
   test::expectFailure(run(arguments), "epcc_eval", exit_code, words);

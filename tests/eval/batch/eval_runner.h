@@ -18,9 +18,6 @@ class EvalToolTest : public TempFolderTest {
   /// The same, and checks that it fails as promised (run_tool.h).
   void expectFailure(const std::vector<std::string>& arguments, int exit_code, const std::string& words) const;
 
-  /// Runs it and kills it (SIGKILL) after so many milliseconds; the exit code is 137 if it was still at work.
-  ToolResult runAndKill(const std::vector<std::string>& arguments, int milliseconds) const;
-
   /// FOLDER/NAME_depth.png, _labels.png and .json: the room of tiny_frames.h with noise after the seed.
   void writeFrame(const std::string& folder, const std::string& name, unsigned seed = 1) const;
 
