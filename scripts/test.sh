@@ -1,9 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs what is missing, builds release and runs every test; ends with ctest's summary.
+# Installs what is missing, checks the sources, builds release, runs the tests under the sanitizers and then every test;
+# ends with ctest's summary.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/install_packages.sh
+stage() { printf '==== %s (after %d s)\n' "$1" "$SECONDS"; }
+
+stage "Packages"
+scripts/install_packages.sh clang-format-14 shellcheck
+stage "Format, scripts, floors"
+scripts/check_format.sh
+scripts/check_scripts.sh
+scripts/check_floors.sh
+stage "Build"
 scripts/build.sh release
+stage "Tests of the core, the PCL class and the data sets under AddressSanitizer and UndefinedBehaviorSanitizer"
+scripts/sanitize.sh asan
+stage "Tests of all that has threads under ThreadSanitizer"
+scripts/sanitize.sh tsan
+stage "Tests"
 exec ctest --test-dir build/release --output-on-failure -j "$(nproc)"
