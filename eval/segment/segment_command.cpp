@@ -122,8 +122,7 @@ int runSegment(const SegmentOptions& options, std::ostream& out, std::ostream& e
   return runProgram(kProgram, out, err, [&]() -> int {
     const InputList list = listInputs(options);
     std::string misuse = list.usage_problem;
-    if (misuse.empty() && list.several && options.namesOutputs())
-      misuse = kOneInputOnly;
+    if (misuse.empty() && list.several && options.namesOutputs()) misuse = kOneInputOnly;
     if (misuse.empty()) misuse = checkOutputs(options, list.inputs);
     if (!misuse.empty()) return reportProblem(kProgram, err, misuse, kExitUsage);
     if (!options.out.empty()) makeOutputFolder(options.out);
