@@ -120,7 +120,7 @@ struct FittedBlock {
   BlockImage inlier;          // 1 or 0
   double measured_scale = 1.0;
   double depth = 0.0;
-  double r = 0.0;
+  double deviation = 0.0;
 };
 
 /// Autocorrelation of the inliers' residuals, rows and columns pooled.
@@ -194,8 +194,8 @@ std::optional<FittedBlock> fitBlock(const InverseDepthImage& image, int row, int
   const double tan2 = std::min(kSteepest, (qu * qu + qv * qv) / (mean_w * mean_w));
   block.measured_scale = image.measured_scale[static_cast<std::size_t>(row + size / 2)];
   block.depth = 1.0 / (mean_w * block.measured_scale);
-  block.r = std::sqrt(block.error.square().sum() / (n - 3.0)) * block.measured_scale * block.depth * block.depth /
-            std::sqrt(1.0 + tan2);
+  block.deviation = std::sqrt(block.error.square().sum() / (n - 3.0)) * block.measured_scale * block.depth *
+                    block.depth / std::sqrt(1.0 + tan2);
   return block;
 }
 

@@ -14,9 +14,9 @@ namespace epcc {
 constexpr std::array<int, 4> kLags = {1, 2, 4, 8};
 
 struct BlockResiduals {
-  double depth = 0.0;  ///< measured depth at the block, metres
-  double r = 0.0;      ///< residual standard deviation across the surface, metres
-  double step = 0.0;   ///< smallest difference of two depths, metres: the step of a quantised depth
+  double depth = 0.0;      ///< measured depth at the block, metres
+  double deviation = 0.0;  ///< residual standard deviation across the surface, metres
+  double step = 0.0;       ///< smallest difference of two depths, metres: the step of a quantised depth
   std::array<double, kLags.size()> correlation{};
 };
 
@@ -24,7 +24,7 @@ struct BlockResiduals {
 /// less than 75 % of that lies on one plane.
 std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int row, int column, int size);
 
-/// Its r alone.
+/// Its deviation alone.
 std::optional<double> measureBlockError(const InverseDepthImage& image, int row, int column, int size);
 
 }  // namespace epcc

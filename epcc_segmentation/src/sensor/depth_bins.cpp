@@ -39,18 +39,18 @@ void summarize(DepthBin& bin) {
   std::vector<double> r, steps;
   double log_depth = 0.0;
   for (const auto& block : bin.blocks) {
-    r.push_back(block.residuals.r);
+    r.push_back(block.residuals.deviation);
     steps.push_back(block.residuals.step);
     log_depth += std::log(block.residuals.depth);
   }
   bin.weight = static_cast<double>(bin.blocks.size());
   bin.depth = std::exp(log_depth / bin.weight);
-  bin.r = quantile(r, kLowQuantile);
+  bin.deviation = quantile(r, kLowQuantile);
   bin.step = quantile(steps, 0.5);
 }
 
 double inverseDepthResidual(const DepthBin& bin) {
-  return bin.r / (bin.depth * bin.depth);
+  return bin.deviation / (bin.depth * bin.depth);
 }
 
 /// Without the bins that hold little but clutter, whose outlines look like blotches.
@@ -70,7 +70,7 @@ double correlationAt(const std::vector<DepthBin>& bins, std::size_t lag, double 
   for (const auto& bin : bins) {
     std::vector<double> values;
     for (const auto& block : bin.blocks)
-      if (block.residuals.r < roughest * bin.r) values.push_back(block.residuals.correlation[lag]);
+      if (block.residuals.deviation < roughest * bin.deviation) values.push_back(block.residuals.correlation[lag]);
     if (values.empty()) continue;
     sum += bin.weight * quantile(values, 0.5);
     weight += bin.weight;
@@ -88,7 +88,7 @@ std::vector<DepthBin> measureDepthBins(const InverseDepthImage& image, int block
   for (auto& [index, bin] : bins) {
     if (bin.blocks.size() < kMinBlocksPerBin) continue;
     summarize(bin);
-    if (bin.r > 0.0) usable.push_back(bin);
+    if (bin.deviation > 0.0) usable.push_back(bin);
   }
   return usable;
 }
@@ -109,7 +109,8 @@ void guardAgainstClutter(const InverseDepthImage& image, int block_size, std::ve
       for (const int shift : {0, half})
         if (const auto error = measureBlockError(image, block.row + shift, block.column + shift, half))
           r.push_back(*error);
-    if (r.size() >= kMinBlocksPerBin) bin.r = std::min(bin.r, kClutterGuard * quantile(r, kLowQuantile));
+    if (r.size() >= kMinBlocksPerBin)
+      bin.deviation = std::min(bin.deviation, kClutterGuard * quantile(r, kLowQuantile));
   }
 }
 

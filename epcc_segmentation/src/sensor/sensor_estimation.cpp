@@ -20,7 +20,7 @@ namespace {
 constexpr double kSigmaOverWhite = 1.7;
 constexpr double kSigmaOverBlotches = 2.6;
 constexpr double kBlotchCorrelation = 0.3;
-// Blocks that tell the correlation, in r of their bin. Blotches as long as a block leave some blocks flat and
+// Blocks that tell the correlation, in deviations of their bin. Blotches as long as a block leave some blocks flat and
 // uncorrelated by chance, so that all but the clutter must speak; short ones leave all alike, and the flattest have the
 // least clutter.
 constexpr double kFlatBlock = 1.5;
@@ -51,7 +51,7 @@ double sigmaOverError(double next_pixel_correlation) {
 /// blocks may hide and whose terraces are blotches; and the place of a value, which is known to a blotch, or a pixel,
 /// on surfaces of any slope.
 double targetSigma(const DepthBin& bin, double sigma_over_residual, double place) {
-  const double seen = std::max(sigma_over_residual * bin.r, kSigmaOverBlotches * evenDeviation(bin.step));
+  const double seen = std::max(sigma_over_residual * bin.deviation, kSigmaOverBlotches * evenDeviation(bin.step));
   return std::hypot(seen, place * bin.depth);
 }
 
