@@ -109,7 +109,7 @@ void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const Pl
     writeLabelledPcd(paths.cloud, result.width, result.height, pointsOf(input),
                      {result.labels.begin(), result.labels.end()});
   if (!paths.segments.empty()) writeSegmentList(paths.segments, result.segments);
-  if (!paths.segments_picture.empty()) writeRgb(paths.segments_picture, drawSegments(loaded.depth, result.segments));
+  if (!paths.segments_picture.empty()) writeRgb(paths.segments_picture, drawSegments(input.depth, result.segments));
 }
 
 }  // namespace epcc
