@@ -35,7 +35,7 @@ struct Samples {
   Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kMaxBlock, 3> powers;  // 1, t, t^2 of the coordinate t in pixels
 
   Samples(const InverseDepthImage& image, int row, int column, int size, int stride) {
-    assert(size > 1 && size <= kLargestBlock);
+    assert(size > 1 && size <= kMaxBlock);
     assert(row >= 0 && row + size <= image.height && column >= 0 && column + size <= image.width);
     const int count = size / stride;
     w.resize(count, count);
