@@ -205,13 +205,13 @@ std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int r
   const auto block = fitBlock(image, row, column, size);
   if (!block) return std::nullopt;
   const double step = smallestGap(block->values) * block->measured_scale * block->depth * block->depth;
-  return BlockResiduals{block->depth, block->r, step, autocorrelation(*block)};
+  return BlockResiduals{block->depth, block->deviation, step, autocorrelation(*block)};
 }
 
 std::optional<double> measureBlockError(const InverseDepthImage& image, int row, int column, int size) {
   const auto block = fitBlock(image, row, column, size);
   if (!block) return std::nullopt;
-  return block->r;
+  return block->deviation;
 }
 
 }  // namespace epcc
