@@ -18,6 +18,7 @@ void clear(const DepthFrame& frame, PlaneSegmentation& result) {
   result.height = std::max(0, frame.height());
   result.labels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
   result.planes.clear();
+  result.segments.clear();
 }
 
 }  // namespace
