@@ -9,14 +9,17 @@
 #include "datasets/files/labelled_frame.h"
 #include "datasets/files/organized_pcd.h"
 #include "epcc_segmentation/plane_extractor.h"
-#include "tests/real_frames/scored_frames.h"
+#include "eval/measures/paper_measures.h"
+#include "eval/measures/segcomp_measures.h"
 #include "tests/support/real_frames.h"
 
 namespace epcc {
 namespace {
 
 PlaneSegmentation segment(const OrganizedCloud& cloud, Projection projection, Mode mode, const std::string& sensor) {
-  PlaneExtractor extractor(test::parametersFor(mode), SensorModel::parse(sensor).value());
+  Parameters parameters;
+  parameters.mode = mode;
+  PlaneExtractor extractor(parameters, SensorModel::parse(sensor).value());
   PlaneSegmentation result;
   EXPECT_TRUE(
       extractor.extract(DepthFrame::fromPoints(cloud.xyz.data(), 3, cloud.width, cloud.height, projection), result))

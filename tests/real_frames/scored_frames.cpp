@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads, segments, counts overlaps.
+// Reads and segments each frame, and counts overlaps with its truth.
 #include "tests/real_frames/scored_frames.h"
 
 #include <algorithm>
@@ -30,19 +30,13 @@ void scoreLargestSurface(const OverlapTable& table, FrameScore& score) {
 
 }  // namespace
 
-Parameters parametersFor(Mode mode) {
-  Parameters parameters;
-  parameters.mode = mode;
-  return parameters;
-}
-
-FrameScore scoreFrame(const LabelledFrame& frame, Mode mode) {
+FrameScore scoreFrame(const LabelledFrame& frame, const Parameters& parameters) {
   FrameScore score;
   score.name = frame.name;
   if (frame.labels.empty()) score.problem = "has no labels";
   const auto sensor = SensorModel::parse(frame.camera.noise.value_or(""), &score.problem);
   if (!sensor || !score.problem.empty()) return score;
-  PlaneExtractor extractor(parametersFor(mode), *sensor);
+  PlaneExtractor extractor(parameters, *sensor);
   PlaneSegmentation result;
   if (!extractor.extract(DepthFrame::fromDepth(frame.depth.data.data(), frame.camera.camera), result)) {
     score.problem = extractor.error();
@@ -59,11 +53,11 @@ FrameScore scoreFrame(const LabelledFrame& frame, Mode mode) {
   return score;
 }
 
-std::vector<FrameScore> scoreFolder(const std::string& folder, Mode mode) {
+std::vector<FrameScore> scoreFolder(const std::string& folder, const Parameters& parameters) {
   std::vector<FrameScore> scores;
   for (const std::string& name : listLabelledFrames(folder)) {
     try {
-      scores.push_back(scoreFrame(readLabelledFrame(folder, name), mode));
+      scores.push_back(scoreFrame(readLabelledFrame(folder, name), parameters));
     } catch (const InputError& error) {
       scores.push_back({});
       scores.back().name = name;

@@ -23,12 +23,9 @@ struct FrameScore {
   double largest_share = 0.0;  ///< of the frame's scored pixels
 };
 
-/// The paper's mode by columns, the default mode in both directions.
-Parameters parametersFor(Mode mode);
-
 /// Segments with the sensor model that the frame's JSON names.
-FrameScore scoreFrame(const LabelledFrame& frame, Mode mode);
+FrameScore scoreFrame(const LabelledFrame& frame, const Parameters& parameters);
 /// All frames of a data set; an unreadable one has its problem stated.
-std::vector<FrameScore> scoreFolder(const std::string& folder, Mode mode);
+std::vector<FrameScore> scoreFolder(const std::string& folder, const Parameters& parameters);
 
 }  // namespace epcc::test
