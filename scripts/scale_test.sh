@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Memory and time of epcc_eval over 1000 and 10000 frames of 160x120, where both must stay flat, over frames of 640x480,
-# and what 2.5 million frames would take: the tables of docs/evaluation.md. About six minutes.
+# and what 2.5 million frames would take: the tables of docs/reference/evaluation.md. About six minutes.
 # Frames are hard links to a few rendered ones, so the disk holds those once. Times are processor times of one thread.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -10,7 +10,7 @@
 namespace epcc {
 
 /// A heading with units, then a line for each segment; numbers with as many digits as it takes to read them back
-/// exactly. The columns are explained in docs/formats.md.
+/// exactly. The columns are explained in docs/reference/formats.md.
 std::string segmentListCsv(const std::vector<LineSegment>& segments);
 void writeSegmentList(const std::string& path, const std::vector<LineSegment>& segments);
 

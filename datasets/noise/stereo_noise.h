@@ -9,7 +9,7 @@
 
 namespace epcc {
 
-/// Calibrated on real RealSense D4xx frames (docs/evaluation.md). Pixels are those of the sensor's own grid.
+/// Calibrated on real RealSense D4xx frames (docs/reference/evaluation.md). Pixels are those of the sensor's own grid.
 struct StereoNoise {
   /// Standard deviation of the inverse depth on a surface that faces the camera, 1/m.
   double sigma_w = 0.0045;

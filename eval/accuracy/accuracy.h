@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The runs behind docs/accuracy.md: the data sets, their halves, their copies, and rendered scenes.
+// The runs behind docs/research/accuracy.md: the data sets, their halves, their copies, and rendered scenes.
 #pragma once
 
 #include <array>

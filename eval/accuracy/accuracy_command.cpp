@@ -23,7 +23,8 @@ namespace {
 
 constexpr const char* kDescription =
     "Scores the segmenter and the baselines on the public data sets, their halves and copies, and on rendered scenes.\n"
-    "Prints the tables of docs/accuracy.md; with --page it renews them in that page, unless something was missing.";
+    "Prints the tables of docs/research/accuracy.md; with --page it renews them in that page, unless something was\n"
+    "missing.";
 constexpr const char* kFooter =
     "Exit codes: 0 done, 2 wrong usage, 3 a data set is missing or a frame could not be scored (the rest is done, the\n"
     "page stays as it is), 4 an output could not be written.";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of docs/accuracy.md.
+// The tables of docs/research/accuracy.md.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ constexpr const char* kDescription =
     "Scores plane segmentation methods on labelled frames.\n"
     "DATASET is a folder: frames NAME_depth.png, NAME_labels.png, NAME.json, or a data set as distributed, whose "
     "format\n"
-    "is found out or named, FORMAT:FOLDER (docs/formats.md). Its name in the report is the folder's.";
+    "is found out or named, FORMAT:FOLDER (docs/reference/formats.md). Its name in the report is the folder's.";
 
 constexpr const char* kFooter =
     "epcc_eval merge DIR... --out DIR joins shards; see epcc_eval merge --help.\n"

@@ -15,7 +15,7 @@ Table comparisonTable(const Comparison& comparison);
 Table comparisonNumbers(const Comparison& comparison);
 /// What was run, in words: surrogates, noise, parameters, seeds.
 std::string comparisonNote(const ComparisonOptions& options);
-/// results/table4.json, version 1: see docs/comparison.md. Numbers the paper does not have are null.
+/// results/table4.json, version 1: see docs/research/comparison.md. Numbers the paper does not have are null.
 std::string comparisonJson(const Comparison& comparison, const ComparisonOptions& options);
 
 /// Writes OUT/table4.md, .csv, .json, .tex and OUT/figure21.png; makes the folder. Throws OutputError.

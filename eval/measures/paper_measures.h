@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's measures (Sec. 7.1, Table 4) as docs/evaluation.md defines them.
+// The paper's measures (Sec. 7.1, Table 4) as docs/reference/evaluation.md defines them.
 #pragma once
 
 #include "eval/measures/overlap_table.h"

@@ -13,8 +13,8 @@ namespace epcc {
 /// The rows and, for several data sets, the totals below them.
 std::vector<SummaryRow> withTotals(const ExperimentSummary& summary);
 
-/// summary.json, version 1: see docs/evaluation.md. median_ms is null where no time is known. "totals" only if there
-/// are any.
+/// summary.json, version 1: see docs/reference/evaluation.md. median_ms is null where no time is known. "totals" only
+/// if there are any.
 std::string summaryJson(const std::vector<SummaryRow>& rows, const std::vector<SummaryRow>& totals = {});
 
 /// Sums by data set and method, the columns of summary.json.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// epcc_accuracy: the numbers and pictures of docs/accuracy.md.
+// epcc_accuracy: the numbers and pictures of docs/research/accuracy.md.
 #include <iostream>
 
 #include "eval/accuracy/accuracy_command.h"

@@ -85,7 +85,7 @@ TEST(StereoNoise, GrowsOnSlantedSurfaces) {
   EXPECT_NEAR(std::sqrt(sum / count), 0.0045, 0.0015);
 }
 
-// Bounds: the real figures of docs/evaluation.md (registered grid, rows) at the same lags over 1.6.
+// Bounds: the real figures of docs/reference/evaluation.md (registered grid, rows) at the same lags over 1.6.
 TEST(StereoNoise, ComesInBlotchesAsOnRealFrames) {
   const double variance = pooled(wall(2.0), errorsOnly(), 0, 0);
   struct Bound {
