@@ -15,7 +15,7 @@ struct Preset {
   SensorModel model;
 };
 
-// Where each was measured: docs/research/algorithm.md, "Sensor model".
+// What each is for: docs/tutorial.md, "Which sensor model".
 const std::array<Preset, 7>& presets() {
   static const std::array<Preset, 7> table = {{
       {"d435i", SensorModel::polynomial(0.006954, -0.003713, 0.001153, 2.0)},

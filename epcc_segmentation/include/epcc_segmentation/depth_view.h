@@ -12,11 +12,13 @@ namespace epcc {
 /// outlive the call that reads it. T is float (metres unless `scale` says otherwise; <= 0, NaN and Inf are invalid) or
 /// std::uint16_t (millimetres unless `scale` says otherwise; 0 is invalid).
 ///
-///     cv::Mat m;                 DepthView<std::uint16_t>{m.ptr<std::uint16_t>(), m.cols, m.rows,
-///     (std::ptrdiff_t)m.step} sensor_msgs::Image i;      DepthView<float>{(const float*)i.data.data(), (int)i.width,
-///     (int)i.height, i.step} rs2::depth_frame f;        DepthView<std::uint16_t>{(const std::uint16_t*)f.get_data(),
-///     f.get_width(),
-///                                                         f.get_height(), f.get_stride_in_bytes(), f.get_units()}
+///     // cv::Mat m, CV_16UC1 in millimetres
+///     DepthView<std::uint16_t>{m.ptr<std::uint16_t>(), m.cols, m.rows, (std::ptrdiff_t)m.step}
+///     // sensor_msgs::Image i, 32FC1
+///     DepthView<float>{(const float*)i.data.data(), (int)i.width, (int)i.height, i.step}
+///     // rs2::depth_frame f
+///     DepthView<std::uint16_t>{(const std::uint16_t*)f.get_data(), f.get_width(), f.get_height(),
+///                              f.get_stride_in_bytes(), f.get_units()}
 template <typename T>
 struct DepthView {
   static_assert(std::is_same<T, float>::value || std::is_same<T, std::uint16_t>::value, "depths are float or uint16");
