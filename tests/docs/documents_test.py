@@ -17,6 +17,8 @@ class Outputs(unittest.TestCase):
         self.assertEqual(difference("46673 pixels, rms -0.00", "46674 pixels,  rms 0.00"), "")
 
     def test_other_numbers_words_and_lines_are_differences(self):
+        self.assertNotEqual(difference("271360 pixels", "272000 pixels"), "")
+        self.assertNotEqual(difference("2.00 m", "2.02 m"), "")
         for printed in ("4 planes\nend", "3 lines\nend", "3 planes", "3 planes\nend\nmore"):
             self.assertNotEqual(difference("3 planes\nend", printed), "", printed)
 

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares what a program prints with what a document says: words alike, numbers to two percent, for the last bit of a
-mathematics library may move a pixel."""
+"""Compares what a program prints with what a document says: words alike, whole numbers to a fifth of a percent, others
+to one unit of the last digit shown, for the last bit of a mathematics library may move a pixel."""
 import re
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def alike(said, printed):
-    a, b = float(said), float(printed)
-    return abs(a - b) <= max(0.02 * abs(a), 0.011)
+    decimals = len(re.sub(r"e.*", "", said).partition(".")[2])
+    last_digit = 1.01 * 10.0 ** -decimals if decimals else 0.0
+    return abs(float(said) - float(printed)) <= max(0.002 * abs(float(said)), last_digit)
 
 
 def difference(said, printed):
