@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames and label images made into the state that the steps of the default mode work on.
+// Frames and label images made into the state that the steps of the inverse-depth mode work on.
 #pragma once
 
 #include <vector>

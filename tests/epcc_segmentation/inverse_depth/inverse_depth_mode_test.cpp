@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The default mode as a whole: rooms with white and with blotchy error, laws, scans.
+// The inverse-depth mode as a whole: rooms with white and with blotchy error, laws, scans.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -45,14 +45,14 @@ double agreement(const RenderedRoom& room, const PlaneSegmentation& result) {
   return static_cast<double>(agree) / static_cast<double>(room.labels.size());
 }
 
-TEST(DefaultMode, IsTheDefault) {
+TEST(InverseDepthMode, IsTheDefault) {
   EXPECT_EQ(Parameters().mode, epcc::Mode::InverseDepth);
   EXPECT_EQ(Parameters().scan, ScanDirection::Both);
   EXPECT_EQ(Parameters::forPaper().mode, epcc::Mode::Paper);
   EXPECT_EQ(Parameters::forPaper().scan, ScanDirection::Both);  // all that the mode has: columns
 }
 
-TEST(DefaultMode, ANoisyRoomIsExactlyItsThreePlanesInEveryScan) {
+TEST(InverseDepthMode, ANoisyRoomIsExactlyItsThreePlanesInEveryScan) {
   for (const ScanDirection scan : {ScanDirection::Both, ScanDirection::Columns, ScanDirection::Rows})
     for (unsigned seed = 0; seed < 5; ++seed) {
       const auto room = noisyRoom(seed);
@@ -64,7 +64,7 @@ TEST(DefaultMode, ANoisyRoomIsExactlyItsThreePlanesInEveryScan) {
     }
 }
 
-TEST(DefaultMode, TransposingTheImageTransposesTheLabels) {
+TEST(InverseDepthMode, TransposingTheImageTransposesTheLabels) {
   const auto room = noisyRoom();
   const auto& camera = room.camera;
   RenderedRoom transposed;
@@ -85,14 +85,14 @@ TEST(DefaultMode, TransposingTheImageTransposesTheLabels) {
   EXPECT_LT(differ, camera.width * camera.height / 200);  // ties between directions go to the columns
 }
 
-TEST(DefaultMode, ATransposedViewIsLabelledInTheCallersOrder) {
+TEST(InverseDepthMode, ATransposedViewIsLabelledInTheCallersOrder) {
   const auto room = noisyRoom();
   const auto turned = extract(room.frame().transposed());
   ASSERT_EQ(turned.planes.size(), 3u);
   EXPECT_GT(agreement(room, turned), 0.97);
 }
 
-TEST(DefaultMode, RepeatedCallsAndFreshObjectsGiveTheSameBits) {
+TEST(InverseDepthMode, RepeatedCallsAndFreshObjectsGiveTheSameBits) {
   const auto room = noisyRoom(1);
   const auto other = noisyRoom(2, 90, 70);
   PlaneExtractor extractor(Parameters(), kWhite);
@@ -104,7 +104,7 @@ TEST(DefaultMode, RepeatedCallsAndFreshObjectsGiveTheSameBits) {
   EXPECT_EQ(first.labels, extract(room.frame()).labels);
 }
 
-TEST(DefaultMode, TheNumberOfThreadsChangesNothing) {
+TEST(InverseDepthMode, TheNumberOfThreadsChangesNothing) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
   epcc::test::addNoise(room, SensorModel::axial(0.002, 0.0, 1.0), 4);
   for (const int threads : {2, 3, 200})
@@ -117,7 +117,7 @@ TEST(DefaultMode, TheNumberOfThreadsChangesNothing) {
     }
 }
 
-TEST(DefaultMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksThem) {
+TEST(InverseDepthMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksThem) {
   // Error correlated over eight pixels: white noise on a coarse grid, interpolated. Both models are larger than a pixel
   // is wide there, 4 mm: below that one model would be like the other.
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(320, 240));
@@ -142,7 +142,7 @@ TEST(DefaultMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksThem) {
   EXPECT_GT(white.planes.size(), 6u);
 }
 
-TEST(DefaultMode, SphericalScansTakeTheirColumns) {
+TEST(InverseDepthMode, SphericalScansTakeTheirColumns) {
   std::vector<float> xyz;
   for (int row = 0; row < 120; ++row)
     for (int column = 0; column < 200; ++column) {
@@ -168,7 +168,7 @@ TEST(DefaultMode, SphericalScansTakeTheirColumns) {
   EXPECT_FALSE(by_rows.extract(frame, none));
 }
 
-TEST(DefaultMode, BackwardCloudsAreSeenAsTheyAre) {
+TEST(InverseDepthMode, BackwardCloudsAreSeenAsTheyAre) {
   const auto room = noisyRoom();
   std::vector<float> xyz;
   Eigen::Vector3d p;
@@ -187,7 +187,7 @@ TEST(DefaultMode, BackwardCloudsAreSeenAsTheyAre) {
   EXPECT_NEAR(result.planes[0].coefficients(2), -forward.planes[0].coefficients(2), 0.01);
 }
 
-TEST(DefaultMode, DegenerateFramesHaveNoPlanes) {
+TEST(InverseDepthMode, DegenerateFramesHaveNoPlanes) {
   const std::vector<float> nothing(32 * 24, 0.0f);
   EXPECT_TRUE(extract(DepthFrame::fromDepth(nothing.data(), epcc::test::testCamera(32, 24))).planes.empty());
   const std::vector<float> depth(500, 2.0f);
@@ -195,7 +195,7 @@ TEST(DefaultMode, DegenerateFramesHaveNoPlanes) {
   EXPECT_TRUE(extract(DepthFrame::fromDepth(depth.data(), {1, 500, 400.0, 400.0, 0.0, 250.0})).planes.empty());
 }
 
-TEST(DefaultMode, HugeAndTinyDepthsHideNoPlane) {
+TEST(InverseDepthMode, HugeAndTinyDepthsHideNoPlane) {
   auto room = noisyRoom();
   for (std::size_t i = 0; i < room.depth.size(); i += 7) room.depth[i] = i % 2 == 0 ? 3e38f : 1e-38f;
   const auto result = extract(room.frame());
