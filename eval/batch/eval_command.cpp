@@ -28,6 +28,8 @@ class EvalRun {
 
   /// False if two data sets cannot be told apart.
   bool openDatasets();
+  /// No data set could be opened, as has been said.
+  bool nothingToDo() const { return sources_.empty(); }
   /// The sums over all results, those found in --out included. A refusal is reported and gives nothing.
   std::optional<ExperimentSummary> run();
   int exitCode(const ExperimentSummary& summary);
@@ -139,6 +141,7 @@ int runEval(const EvalOptions& options, std::ostream& out, std::ostream& err) {
   return runProgram("epcc_eval", out, err, [&]() -> int {
     EvalRun run(options, err);
     if (!run.openDatasets()) return kExitUsage;
+    if (run.nothingToDo()) return kExitInput;  // --out is left as it is, for the corrected command
     const std::optional<ExperimentSummary> summary = run.run();
     if (!summary) return kExitUsage;
     out << summaryText(*summary);

@@ -52,7 +52,7 @@ void setMethods(const std::string& list, EvalOptions& options) {
   }
 }
 
-/// NAME=DIR where NAME can name a folder; anything else after --predictions is a DATASET.
+/// NAME=DIR where NAME can name a folder; after the first, anything else behind --predictions is a DATASET.
 bool isPrediction(const std::string& text) {
   const std::size_t equals = text.find('=');
   return equals != std::string::npos && text.substr(0, equals).find('/') == std::string::npos;
@@ -62,6 +62,8 @@ void setPredictions(const RawOptions& raw, EvalOptions& options) {
   std::set<std::string> names;
   for (const std::string& method : options.methods)
     for (const std::string& name : seededNames(method, options.seeds)) names.insert(name);
+  if (!raw.predictions.empty())
+    require(isPrediction(raw.predictions.front()), "--predictions: '" + raw.predictions.front() + "' is not NAME=DIR");
   for (const std::string& text : raw.predictions) {
     if (!isPrediction(text)) {
       options.datasets.push_back(text);

@@ -71,6 +71,21 @@ TEST_F(EvalBadInput, NoFrameScoredAtAll) {
   EXPECT_TRUE(row("o", "rooms", "omps").at("median_ms").is_null());
 }
 
+TEST_F(EvalBadInput, ADataSetThatIsNotThereLeavesNothingBehind) {
+  writeFrame("rooms", "a");
+  const auto mistyped = run({"romos", "--methods", "omps", "--out", "o"});
+  EXPECT_EQ(mistyped.exit_code, 3);
+  EXPECT_EQ(mistyped.out, "");
+  EXPECT_FALSE(exists("o"));
+  EXPECT_EQ(run({"rooms", "--methods", "omps", "--out", "o"}).exit_code, 0);
+}
+
+TEST_F(EvalBadInput, PredictionsWithoutAName) {
+  writeFrame("rooms", "a");
+  expectFailure({"rooms", "--methods", "omps", "--predictions", "o/labels/omps"}, 2,
+                "--predictions: 'o/labels/omps' is not NAME=DIR");
+}
+
 TEST_F(EvalBadInput, MissingPredictionsAreErrorsOfTheirMethodAlone) {
   writeFrame("rooms", "a");
   const auto result = run({"rooms", "--methods", "omps", "--predictions", "theirs=nowhere", "--out", "o"});
