@@ -33,8 +33,10 @@ std::set<std::string> filesOf(const SegmentInput& input, bool in_folder) {
   if (input.source)
     for (const std::string& file : input.source->files(input.index)) files.insert(canonical(file));
   if (!input.camera_file.empty()) files.insert(canonical(input.camera_file));
-  // What a user names on the command line may be the truth of a depth image; what --out DIR names may not.
-  if (in_folder) files.insert(canonical((fs::path(input.path).parent_path() / (input.name + "_labels.png")).string()));
+  // Labels that --out writes beside their depth image would be taken for its truth from then on.
+  const fs::path truth = fs::path(input.path).parent_path() / (input.name + "_labels.png");
+  std::error_code error;
+  if (in_folder || fs::exists(truth, error)) files.insert(canonical(truth.string()));
   return files;
 }
 

@@ -148,6 +148,13 @@ TEST_F(SegmentOutput, NeverOverwritesInputs) {
   EXPECT_EQ(names(), (Names{"room.json", "room_depth.png"}));
 }
 
+TEST_F(SegmentOutput, NeverOverwritesTheTruthOfAFrame) {
+  write("room_labels.png", "the truth");
+  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud", "--segments", "--segments-picture"})
+    expectFailure({"room_depth.png", option, "room_labels.png"}, 2, "ground truth");
+  EXPECT_EQ(read("room_labels.png"), "the truth");
+}
+
 TEST_F(SegmentOutput, InputsOfTheSameNameClash) {
   writeFrame("a/room");
   expectFailure({"room_depth.png", "a/room_depth.png", "--out", "out"}, 2, "twice");
