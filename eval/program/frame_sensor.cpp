@@ -14,7 +14,9 @@ const char kAuto[] = "auto";
 std::string noiseProblem(const std::string& text) {
   if (text == kAuto) return {};
   std::string why;
-  return SensorModel::parse(text, &why) ? std::string() : why + ", nor auto";
+  if (SensorModel::parse(text, &why)) return {};
+  const bool is_unknown = why.find("is neither a preset") != std::string::npos;
+  return is_unknown ? why + ", nor auto" : why;
 }
 
 FrameSensor frameSensor(const std::string& chosen, const std::optional<std::string>& of_frame, const DepthFrame& frame,

@@ -14,14 +14,17 @@ namespace {
 constexpr const char* kIntroduction =
     "# Parameters\n\n"
     "Every field of `epcc::Parameters`, as `epcc_segment --list-parameters` prints it. On the command line\n"
-    "`--set NAME=VALUE` sets any of them; in C++ the name is the path of the field "
-    "(`parameters.inverse_depth.line_k_max`);\n"
-    "the PCL class takes them by `setParameters()`, has setters for the basic ones and `paper()` for the paper "
-    "mode's.\n\n"
-    "Most users need none of these: say what the sensor is (`--noise`), or let it be measured. Lengths in sigma are "
-    "in\n"
-    "standard deviations of the sensor model; independent samples are pixels divided by those that the sensor's\n"
-    "correlated error covers.\n";
+    "`--set NAME=VALUE` sets any of them but `mode`, `scan` and `threads`, which are options; in C++ the name is the\n"
+    "path of the field (`parameters.inverse_depth.line_k_max`), or `epcc::setParameter(\"NAME=VALUE\", parameters)` "
+    "of\n"
+    "`epcc_segmentation/parameter_table.h` sets it. The PCL class takes them by `setParameters()`, has setters for "
+    "the\n"
+    "basic ones and `paper()` for the paper mode's. Words such as `paper` or `a` are enumerators in C++, in the same\n"
+    "order (`parameters.h`, `paper_parameters.h`).\n\n"
+    "Most users need none of these: say what the sensor is (`--noise`), or let it be measured. Lengths in sigma are\n"
+    "in standard deviations of the sensor model (sigma_w: of an inverse depth); independent samples are pixels\n"
+    "divided by those that the sensor's correlated error covers. S1 to S8, c1 and c2 are the steps and symbols of\n"
+    "[the algorithm](../research/algorithm.md).\n";
 
 /// Where a field's heading comes from: the beginning of its name.
 const std::vector<std::pair<std::string, std::string>>& groups() {

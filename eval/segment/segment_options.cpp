@@ -149,6 +149,16 @@ void printParameters() {
   throw CLI::CallForVersion(page, 0);
 }
 
+// What is wrong with NAME=VALUE for this mode, whatever the value; empty if nothing is.
+std::string assignmentProblem(const std::string& assignment, bool paper) {
+  const std::string name = assignment.substr(0, assignment.find('='));
+  for (const char* option : {"mode", "scan", "threads"})
+    if (name == option) return name + " has an option of its own: --" + name;
+  if (paper && name.rfind("inverse_depth.", 0) == 0) return name + " belongs to the inverse-depth mode";
+  if (!paper && name.rfind("paper.", 0) == 0) return name + " belongs to the paper mode";
+  return {};
+}
+
 // Puts the method's options into the parameters of their mode. Empty if all is well, else what is wrong.
 std::string setMethod(const RawOptions& raw, Parameters& parameters) {
   const bool paper = raw.mode == "paper";
@@ -169,7 +179,8 @@ std::string setMethod(const RawOptions& raw, Parameters& parameters) {
     if (!problem.empty()) return "--plane-weight: " + problem;
   }
   for (const std::string& assignment : raw.assignments) {
-    const std::string problem = setParameter(assignment, parameters);
+    std::string problem = assignmentProblem(assignment, paper);
+    if (problem.empty()) problem = setParameter(assignment, parameters);
     if (!problem.empty()) return "--set: " + problem;
   }
   return parameters.validate();

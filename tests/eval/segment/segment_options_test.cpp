@@ -128,6 +128,19 @@ TEST_F(SegmentOptions, Scan) {
   usage({"--scan", "diagonal"}, "diagonal");
 }
 
+TEST_F(SegmentOptions, SetTakesParametersOfTheModeByName) {
+  good({"--set", "inverse_depth.line_k_max=1.4"});
+  good({"--mode", "paper", "--set", "paper.line_k_max=2.5", "--set", "paper.criterion=c"});
+  EXPECT_EQ(good({"--set", "inverse_depth.min_points=100"}).out, good({"--min-points", "100"}).out);
+  usage({"--set", "inverse_depth.line_k_max=0"}, "--set: inverse_depth.line_k_max must be in (0, 100] sigma_w, not 0");
+  usage({"--set", "line_k_max=1"}, "--set: there is no parameter 'line_k_max'");
+  usage({"--set", "paper.line_k_max=3"}, "--set: paper.line_k_max belongs to the paper mode");
+  usage({"--mode", "paper", "--set", "inverse_depth.min_points=3"},
+        "--set: inverse_depth.min_points belongs to the inverse-depth mode");
+  for (const char* name : {"mode", "scan", "threads"})
+    usage({"--set", std::string(name) + "=paper"}, std::string(name) + " has an option of its own: --" + name);
+}
+
 TEST_F(SegmentOptions, Criterion) {
   for (const char* criterion : {"a", "b", "c", "d"}) good({"--mode", "paper", "--criterion", criterion});
   usage({"--criterion", "a"}, "--criterion belongs to the paper mode");
