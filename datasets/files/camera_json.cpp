@@ -83,6 +83,8 @@ CameraFile readCameraJson(const std::string& path) {
   file.camera.fy = positiveNumber(path, json, "fy");
   file.camera.cx = number(path, json, "cx");
   file.camera.cy = number(path, json, "cy");
+  const std::string problem = file.camera.validate();
+  if (!problem.empty()) throw InputError(path, "camera", problem);
   file.depth_scale = positiveNumber(path, json, "depth_scale");
   if (file.depth_scale > kMaxDepthScale) throw InputError(path, "depth_scale", "is more than 1000 m a unit");
   file.name = text(path, json, "name").value_or("");

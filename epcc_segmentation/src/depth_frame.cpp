@@ -10,10 +10,19 @@
 
 namespace epcc {
 
+namespace {
+// No camera is beyond these, and within them no sum of squares leaves the range of a double.
+constexpr double kMinFocus = 1e-3;
+constexpr double kMaxPixels = 1e6;
+}  // namespace
+
 std::string PinholeCamera::validate() const {
   if (width <= 0 || height <= 0) return "the image size must be positive";
-  if (!(std::isfinite(fx) && fx > 0.0) || !(std::isfinite(fy) && fy > 0.0)) return "fx and fy must be positive";
+  if (!(fx > 0.0) || !(fy > 0.0)) return "fx and fy must be positive";
+  if (!(fx >= kMinFocus && fx <= kMaxPixels) || !(fy >= kMinFocus && fy <= kMaxPixels))
+    return "fx and fy must be in [0.001, 1e6] pixels";
   if (!std::isfinite(cx) || !std::isfinite(cy)) return "cx and cy must be finite";
+  if (std::abs(cx) > kMaxPixels || std::abs(cy) > kMaxPixels) return "cx and cy must be in [-1e6, 1e6] pixels";
   return {};
 }
 
@@ -29,7 +38,8 @@ DepthFrame DepthFrame::ofView(const DepthView<T>& depth, const PinholeCamera& ca
   if (depth.data == nullptr || depth.width <= 0 || depth.height <= 0)
     return unusable(Status::EmptyCloud, "the depth image is empty");
   if (!camera.validate().empty())
-    return unusable(Status::InvalidCamera, "the camera is invalid: size, fx and fy must be positive, cx and cy finite");
+    return unusable(Status::InvalidCamera,
+                    "the camera is invalid: fx and fy must be in [0.001, 1e6], cx and cy within 1e6 pixels");
   if (camera.width != depth.width || camera.height != depth.height)
     return unusable(Status::SizeMismatch, "the camera's size is not that of the depth image");
   const std::ptrdiff_t row_bytes = static_cast<std::ptrdiff_t>(depth.width) * static_cast<std::ptrdiff_t>(sizeof(T));

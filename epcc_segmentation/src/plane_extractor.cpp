@@ -83,11 +83,12 @@ void PlaneExtractor::setSensor(const SensorModel& sensor) {
 void PlaneExtractor::setSensorAuto() {
   sensor_ = SensorEstimate().model();
   measures_sensor_ = true;
-  workspace_->estimator.reset();
+  if (workspace_) workspace_->estimator.reset();
 }
 
 bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result) try {
   if (!check(frame, result)) return false;
+  if (!workspace_) workspace_ = std::make_unique<Workspace>(parameters_, sensor_);  // it was moved away
   const int count = parameters_.mode == Mode::Paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
   StopWatch watch;
   fitPlanes(frame, sensor_, count, result);

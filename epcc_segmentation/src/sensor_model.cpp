@@ -10,6 +10,8 @@ namespace epcc {
 
 namespace {
 
+constexpr double kMaxCoefficient = 1000.0;
+
 struct Preset {
   const char* name;
   SensorModel model;
@@ -95,6 +97,8 @@ std::string SensorModel::validate() const {
   if (!std::isfinite(correlation_length_) || correlation_length_ < 0.0 || correlation_length_ > 1000.0)
     return "the correlation length must be in [0, 1000] pixels";
   if (!polynomial_ && (k_[0] < 0.0 || k_[1] < 0.0)) return "a and b of sigma_z must not be negative";
+  for (const double k : k_)
+    if (std::abs(k) > kMaxCoefficient) return "the coefficients of sigma_z must be at most 1000: they are in metres";
   if (!polynomial_ && k_[0] == 0.0 && k_[1] == 0.0) return "a and b of sigma_z must not both be zero";
   if (polynomial_ && (k_[0] < 0.0 || (k_[0] == 0.0 && k_[1] < 0.0)))
     return "the polynomial sigma_z(z) becomes negative at large z";

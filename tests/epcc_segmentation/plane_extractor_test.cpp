@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "epcc_segmentation/sensor_estimation.h"
 #include "tests/support/rendered_room.h"
@@ -270,6 +271,37 @@ TEST(PlaneExtractor, MeasuresTheSensorUnlessAModelIsGiven) {
   EXPECT_FALSE(extractor.measuresSensor());
   ASSERT_TRUE(extractor.extract(room.frame(), result));
   EXPECT_EQ(extractor.sensor().description(), truth.description());
+}
+
+TEST(PlaneExtractor, WorksAfterItsMemoryWasMovedAway) {
+  const auto room = noisyRoom();
+  PlaneExtractor extractor;
+  PlaneExtractor other = std::move(extractor);
+  PlaneSegmentation result, expected;
+  ASSERT_TRUE(other.extract(room.frame(), expected));
+  extractor.setSensorAuto();
+  ASSERT_TRUE(extractor.extract(room.frame(), result)) << extractor.error();
+  EXPECT_EQ(result.labels, expected.labels);
+}
+
+TEST(PlaneExtractor, AbsurdSensorsAndCamerasAreRefused) {
+  const auto room = noisyRoom();
+  PlaneSegmentation result;
+  for (const SensorModel& absurd :
+       {SensorModel::axial(1e160, 0.0), SensorModel::axial(0.001, 1e300), SensorModel::polynomial(1e300, 0.0, 0.001)}) {
+    PlaneExtractor extractor(Parameters(), absurd);
+    EXPECT_FALSE(extractor.extract(room.frame(), result));
+    EXPECT_EQ(extractor.status(), epcc::Status::InvalidParameters);
+  }
+  epcc::PinholeCamera tiny_focus = room.camera, far_centre = room.camera;
+  tiny_focus.fx = 1e-300;
+  far_centre.cx = 1e300;
+  for (const epcc::PinholeCamera& camera : {tiny_focus, far_centre}) {
+    PlaneExtractor extractor;
+    EXPECT_FALSE(extractor.extract(DepthFrame::fromDepth(room.depth.data(), camera), result));
+    EXPECT_EQ(extractor.status(), epcc::Status::InvalidCamera);
+    EXPECT_NE(camera.validate().find("1e6] pixels"), std::string::npos) << camera.validate();
+  }
 }
 
 TEST(PlaneExtractor, ChangesBetweenFramesLeaveNothingBehind) {

@@ -151,6 +151,10 @@ TEST_F(CameraJsonTest, ZeroFx) {
 TEST_F(CameraJsonTest, NegativeFx) {
   expectRefused(with("fx", "-525"), "fx", "positive");
 }
+TEST_F(CameraJsonTest, ACameraBeyondAnyReal) {
+  expectRefused(with("fx", "1e-300"), "camera", "[0.001, 1e6] pixels");
+  expectRefused(with("cy", "1e300"), "camera", "[-1e6, 1e6] pixels");
+}
 TEST_F(CameraJsonTest, ZeroFy) {
   expectRefused(with("fy", "0.0"), "fy", "positive");
 }
