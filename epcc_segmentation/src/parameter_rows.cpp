@@ -12,8 +12,6 @@ namespace {
 
 using Get = double (*)(const Parameters&);
 using Set = void (*)(Parameters&, double);
-constexpr double kAboveZero = 1e-6;
-
 ParameterField number(const char* name, Get get, Set set, bool whole, double low, double high, const char* unit,
                       const char* meaning, const char* raise, const char* lower) {
   return {name, get, set, whole, low, high, {}, unit, meaning, raise, lower, ""};

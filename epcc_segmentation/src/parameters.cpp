@@ -12,8 +12,6 @@ namespace epcc {
 
 namespace {
 
-constexpr double kAboveZero = 1e-6;
-
 /// As one writes it: "0.15", "60", "1e9".
 std::string numberText(double value) {
   std::ostringstream text;

@@ -12,6 +12,13 @@ namespace {
 std::atomic<bool> limited{false};
 std::atomic<long> left{0};
 std::atomic<bool> refused{false};
+std::atomic<std::size_t> largest{0};
+
+void note(std::size_t size) {
+  std::size_t known = largest;
+  while (size > known && !largest.compare_exchange_weak(known, size)) {
+  }
+}
 
 }  // namespace
 
@@ -20,6 +27,7 @@ void* operator new(std::size_t size) {
     refused = true;
     throw std::bad_alloc();
   }
+  note(size);
   void* const memory = std::malloc(size > 0 ? size : 1);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
@@ -60,6 +68,14 @@ FailingAllocations::~FailingAllocations() {
 
 bool FailingAllocations::happened() const {
   return refused;
+}
+
+std::size_t largestAllocation() {
+  return largest;
+}
+
+void forgetAllocations() {
+  largest = 0;
 }
 
 }  // namespace epcc::test

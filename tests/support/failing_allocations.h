@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lets memory run out at a chosen allocation.
+// Lets memory run out at a chosen allocation, and tells how large allocations were.
 #pragma once
+
+#include <cstddef>
 
 namespace epcc::test {
 
@@ -15,5 +17,9 @@ class FailingAllocations {
   /// Whether an allocation was refused.
   bool happened() const;
 };
+
+/// Bytes of the largest allocation by operator new since forgetAllocations(), of all threads.
+std::size_t largestAllocation();
+void forgetAllocations();
 
 }  // namespace epcc::test

@@ -11,13 +11,16 @@
 
 namespace epcc {
 
+/// The smallest value of a field that must be above 0: its range is written "(0, ...".
+constexpr double kAboveZero = 1e-6;
+
 /// One field of Parameters. A number has a range; a choice has words, and its value is the index of one.
 struct ParameterField {
   const char* name;                  ///< as in C++, for example "inverse_depth.line_k_max"
   double (*get)(const Parameters&);  ///< its value
   void (*set)(Parameters&, double);  ///< changes it; the range is not checked
   bool whole;                        ///< whole numbers only
-  double low, high;                  ///< smallest and largest value; 1e-6 stands for "above 0"
+  double low, high;                  ///< smallest (or kAboveZero) and largest value
   std::vector<const char*> choices;  ///< the words of a choice; empty for a number
   const char* unit;                  ///< empty for a ratio or a choice
   const char* meaning;               ///< what it is, in a sentence without full stop
