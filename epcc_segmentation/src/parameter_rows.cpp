@@ -48,6 +48,11 @@ std::vector<ParameterField> inverseDepthFields() {
              "small pieces of clutter are reported",
              "small faces are missing and the sensor is good enough to see them"),
       number(
+          EPCC_FIELD(inverse_depth.stride), 0, 8, "pixels",
+          "Grid of the samples that the planes are found on, every so many rows and columns; the labels are those of "
+          "all pixels. 0: by the width, one for every 320 pixels",
+          "time matters more than small faces", "faces of a few pixels matter more than time"),
+      number(
           EPCC_FIELD(inverse_depth.line_k_max), kAboveZero, 100, "sigma_w",
           "Gate of a line segment (S1): a sample belongs to it within so many standard deviations of the sensor model",
           "surfaces break into pieces although the sensor model is right",

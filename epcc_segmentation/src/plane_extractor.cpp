@@ -9,6 +9,7 @@
 
 #include "epcc_segmentation/plane_fit.h"
 #include "epcc_segmentation/sensor_estimation.h"
+#include "epcc_segmentation/vector_unit.h"
 #include "inverse_depth/inverse_depth_pipeline.h"
 #include "metric/metric_pipeline.h"
 
@@ -166,6 +167,7 @@ bool PlaneExtractor::check(const DepthFrame& frame, PlaneSegmentation& result) {
   times_ = StageTimes();
   status_ = Status::Ok;
   error_ = parameters_.validate();
+  if (error_.empty()) error_ = vectorUnitProblem();
   if (error_.empty() && !measures_sensor_) error_ = sensor_.validate();
   if (!error_.empty()) return fail(Status::InvalidParameters, error_, result);
   if (frame.empty()) return fail(frame.status(), frame.problem(), result);

@@ -11,6 +11,11 @@ struct InverseDepthParameters {
   /// reported; lower it if small faces are missing and the sensor is good enough to see them.
   int min_points = 60;
 
+  /// Grid of the samples that the planes are found on, every so many rows and columns; the labels are those of all
+  /// pixels. 0: by the width, one for every 320 pixels. [0, 8] pixels, default 0. Raise it if time matters more than
+  /// small faces; lower it if faces of a few pixels matter more than time.
+  int stride = 0;
+
   /// Gate of a line segment (S1): a sample belongs to it within so many standard deviations of the sensor model.
   /// (0, 100] sigma_w, default 1.5. Raise it if surfaces break into pieces although the sensor model is right; lower it
   /// if shallow creases and small steps are run over.
