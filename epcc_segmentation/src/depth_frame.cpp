@@ -8,6 +8,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "depth_rows.h"
+
 namespace epcc {
 
 namespace {
@@ -117,6 +119,9 @@ Eigen::Vector3d DepthFrame::fromScan(const Eigen::Vector3d& scan_point) const {
 template <typename T>
 void DepthFrame::readRow(int row, float* depth) const {
   const char* values = depth_ + row * depth_row_stride_;
+  const bool adjoining = depth_column_stride_ == static_cast<std::ptrdiff_t>(sizeof(T));
+  if (adjoining && reinterpret_cast<std::uintptr_t>(values) % alignof(T) == 0)
+    return depthsInMetres(reinterpret_cast<const T*>(values), static_cast<std::size_t>(width_), scale_, depth);
   for (int c = 0; c < width_; ++c) {
     T value;
     std::memcpy(&value, values + c * depth_column_stride_, sizeof value);

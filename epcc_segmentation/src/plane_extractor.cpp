@@ -138,6 +138,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   pipeline.rejectClutter();     // S7
   pipeline.joinOccluded();      // S8
   times_.regions = watch.lap();
+  pipeline.labelPixels();
   moveLabels(frame, pipeline.labels(), result.labels);
   times_.result = watch.lap();
   return pipeline.labelCount();

@@ -94,10 +94,10 @@ struct InverseDepthParameters {
     /// wrongly.
     double bridge_samples = 1.0;
 
-    /// Regions are neighbours across a hole of this width, whatever the sensor. [0, 1000] pixels, default 15. Raise it
+    /// Regions are neighbours across a hole of this width, whatever the sensor. [0, 1000] pixels, default 2. Raise it
     /// if drop-outs and dark spots keep the parts of a wall apart; lower it if parts that lie on both sides of a hole
     /// join wrongly.
-    int min_bridge_pixels = 15;
+    int min_bridge_pixels = 2;
 
     /// Regions are neighbours if they face each other in so many places. [1, 1e6] pixels, default 3. Raise it if
     /// regions join through a few pixels; lower it if thin faces stay apart from their surface.

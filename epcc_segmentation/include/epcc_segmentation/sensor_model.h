@@ -54,6 +54,12 @@ class EPCC_CORE_EXPORT SensorModel {
 
   /// Radius l of the error's autocorrelation exp(-r^2 / (2 l^2)), in pixels of the given grid.
   double correlationLength() const { return correlation_length_; }
+  /// The same error with another correlation length, pixels.
+  SensorModel withCorrelationLength(double length) const {
+    SensorModel model = *this;
+    model.correlation_length_ = length;
+    return model;
+  }
   /// Pixels per independent sample over an area: max(1, 2 pi l^2).
   double pixelsPerSample() const { return std::fmax(1.0, 2.0 * kPi * correlation_length_ * correlation_length_); }
   /// Pixels per independent sample along a line: max(1, 2.5 l).

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "inverse_depth/depth_inversion.h"
 
 namespace epcc {
 
@@ -60,19 +61,13 @@ void InverseDepthImage::read(const DepthFrame& frame) {
     readPoints(frame);
 }
 
-// Written without branches: the compiler inverts several depths at a time.
 void InverseDepthImage::readDepths(const DepthFrame& frame) {
   const auto columns = static_cast<std::size_t>(width);
-  std::vector<float> depth(columns);
+  row_depths_.resize(columns);
   for (int r = 0; r < height; ++r) {
     along[static_cast<std::size_t>(r)] = frame.pinholeAlong(r);
-    frame.depthRow(r, depth.data());
-    float* row = w.data() + static_cast<std::size_t>(r) * columns;
-    for (std::size_t c = 0; c < columns; ++c) {
-      const bool valid = depth[c] > 0.0f;
-      const auto inverse = static_cast<float>(1.0 / static_cast<double>(valid ? depth[c] : 1.0f));
-      row[c] = valid && inverse <= std::numeric_limits<float>::max() ? inverse : 0.0f;
-    }
+    frame.depthRow(r, row_depths_.data());
+    invertDepths(row_depths_.data(), columns, w.data() + static_cast<std::size_t>(r) * columns);
   }
   for (std::size_t c = 0; c < columns; ++c) across[c] = frame.pinholeAcross(static_cast<int>(c));
 }
@@ -120,23 +115,51 @@ double InverseDepthImage::placeVariance() const {
   return (width_of_pixel * width_of_pixel + height_of_pixel * height_of_pixel) / 24.0;
 }
 
-// Written without branches, as above. A float holds the weight of any depth that a sensor gives; of others it stays
-// finite and positive.
-void InverseDepthImage::weigh(const SensorModel& sensor) {
-  constexpr float kMin = std::numeric_limits<float>::min();
-  constexpr float kMax = std::numeric_limits<float>::max();
+int sampleCount(int count, int stride) {
+  return std::max(1, (count - stride / 2 + stride - 1) / stride);
+}
+
+namespace {
+
+std::size_t samplePlace(std::size_t sample, int stride, std::size_t count) {
+  return std::min(sample * static_cast<std::size_t>(stride) + static_cast<std::size_t>(stride / 2), count - 1);
+}
+
+void sampleCoordinates(const std::vector<double>& from, int count, int stride, std::vector<double>& to) {
+  to.resize(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[samplePlace(i, stride, from.size())];
+}
+
+}  // namespace
+
+void InverseDepthImage::sample(const InverseDepthImage& image, int every) {
+  original = &image;
+  stride = every;
+  width = sampleCount(image.width, stride);
+  height = sampleCount(image.height, stride);
+  planar_rows = image.planar_rows;
+  sampleCoordinates(image.across, width, stride, across);
+  sampleCoordinates(image.forward, width, stride, forward);
+  sampleCoordinates(image.along, height, stride, along);
+  sampleCoordinates(image.measured_scale, height, stride, measured_scale);
+  const auto columns = static_cast<std::size_t>(width);
+  w.resize(columns * static_cast<std::size_t>(height));
+  const auto image_columns = static_cast<std::size_t>(image.width);
+  for (std::size_t r = 0; r < static_cast<std::size_t>(height); ++r) {
+    const float* from = image.w.data() + samplePlace(r, stride, static_cast<std::size_t>(image.height)) * image_columns;
+    float* to = w.data() + r * columns;
+    for (std::size_t c = 0; c < columns; ++c) to[c] = from[samplePlace(c, stride, image_columns)];
+  }
+}
+
+void InverseDepthImage::weigh(const SensorModel& sensor, double place_variance) {
   noise = InverseDepthNoise::of(sensor);
-  noise.place2 = placeVariance();
-  const InverseDepthNoise own = noise;  // a local copy cannot alias the weights
+  noise.place2 = place_variance;
   const auto columns = static_cast<std::size_t>(width);
   weight.resize(w.size());
-  for (std::size_t r = 0; r < static_cast<std::size_t>(height); ++r) {
-    const float* value = w.data() + r * columns;
-    float* row = weight.data() + r * columns;
-    const auto scale = static_cast<float>(measured_scale[r]);
-    for (std::size_t c = 0; c < columns; ++c)
-      row[c] = std::min(kMax, std::max(kMin, scale * scale / own.variance(value[c] * scale)));
-  }
+  for (std::size_t r = 0; r < static_cast<std::size_t>(height); ++r)
+    weighInverseDepths(w.data() + r * columns, columns, noise, static_cast<float>(measured_scale[r]),
+                       weight.data() + r * columns);
   transpose(w, width, height, w_transposed);
   transpose(weight, width, height, weight_transposed);
 }

@@ -22,12 +22,10 @@ struct InverseDepthNoise {
   double place2 = 0.0;
 
   static InverseDepthNoise of(const SensorModel& sensor);
-  /// In the precision of w.
-  template <typename Scalar>
-  Scalar variance(Scalar w) const {
-    const Scalar s = Scalar(k1) + w * (Scalar(k2) + w * Scalar(k3));
-    const Scalar w2 = w * w;
-    return std::max(s * s + Scalar(b2) + Scalar(a2) * w2 * w2, Scalar(place2) * w2);
+  double variance(double w) const {
+    const double s = k1 + w * (k2 + w * k3);
+    const double w2 = w * w;
+    return std::max(s * s + b2 + a2 * w2 * w2, place2 * w2);
   }
 };
 
@@ -48,6 +46,9 @@ struct InverseDepthImage {
   /// Per row: measured inverse depth = w * measured_scale; 1 for perspective frames, cos(elevation) for scans.
   std::vector<double> measured_scale;
   InverseDepthNoise noise;
+  /// Of samples: the image that they are of, and every how many rows and columns.
+  const InverseDepthImage* original = nullptr;
+  int stride = 1;
 
   Eigen::Vector3d ray(int row, int column) const {
     return {across[static_cast<std::size_t>(column)], along[static_cast<std::size_t>(row)],
@@ -63,13 +64,22 @@ struct InverseDepthImage {
 
   /// Reads a frame; memory is reused. Cloud rays are estimated per row and column from the points.
   void read(const DepthFrame& frame);
-  /// What the sensor says of it: noise and weights, and the transposed images.
-  void weigh(const SensorModel& sensor);
+  /// Takes every stride-th row and column of an image, from stride / 2 on; at least one of each.
+  void sample(const InverseDepthImage& image, int stride);
+  /// What the sensor says of it: noise and weights, and the transposed images. A value may come from anywhere within
+  /// its pixel, the one that was measured: on an image that was sampled, place_variance is that of the original.
+  void weigh(const SensorModel& sensor, double place_variance);
+  void weigh(const SensorModel& sensor) { weigh(sensor, placeVariance()); }
 
  private:
   void readDepths(const DepthFrame& frame);
   void readPoints(const DepthFrame& frame);
+
+  std::vector<float> row_depths_;
 };
+
+/// How many of `count` values are samples: every stride-th from stride / 2 on; never none.
+int sampleCount(int count, int stride);
 
 /// Mean change of a ray coordinate from one column or row to the next.
 double pixelPitch(const std::vector<double>& coordinate);

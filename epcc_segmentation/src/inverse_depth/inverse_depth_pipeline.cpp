@@ -8,6 +8,7 @@
 #include "inverse_depth/boundary_refinement.h"
 #include "inverse_depth/evidence.h"
 #include "inverse_depth/region_merging.h"
+#include "inverse_depth/sample_grid.h"
 #include "inverse_depth/segment_records.h"
 #include "parallel_for.h"
 
@@ -16,18 +17,26 @@ namespace epcc {
 InverseDepthPipeline::InverseDepthPipeline(const Parameters& parameters, const SensorModel& sensor)
     : parameters_(parameters),
       sensor_(sensor),
+      grid_parameters_(parameters.inverse_depth),
+      grid_sensor_(sensor),
       directions_{DirectionalPlanes(true, parameters.inverse_depth, sensor),
                   DirectionalPlanes(false, parameters.inverse_depth, sensor)} {}
 
 void InverseDepthPipeline::configure(const Parameters& parameters, const SensorModel& sensor) {
   parameters_ = parameters;
   sensor_ = sensor;
-  for (DirectionalPlanes& direction : directions_) direction.configure(parameters.inverse_depth, sensor);
 }
 
 void InverseDepthPipeline::begin(InverseDepthImage& image) {
-  image_ = &image;
-  image.weigh(sensor_);
+  stride_ = strideFor(image.width, parameters_.inverse_depth.stride);
+  grid_parameters_ = onGrid(parameters_.inverse_depth, stride_);
+  grid_sensor_ = onGrid(sensor_, stride_);
+  InverseDepthImage& grid = stride_ > 1 ? samples_ : image;
+  if (stride_ > 1) grid.sample(image, stride_);
+  grid.weigh(sensor_, image.placeVariance());
+  full_image_ = &image;
+  image_ = &grid;
+  for (DirectionalPlanes& direction : directions_) direction.configure(grid_parameters_, grid_sensor_);
   directions_[0].setActive(parameters_.scan != ScanDirection::Rows);
   directions_[1].setActive(parameters_.scan != ScanDirection::Columns && image.planar_rows);
 }
@@ -110,29 +119,33 @@ void InverseDepthPipeline::joinBlock(int row_begin, int row_end, int column_begi
 }
 
 void InverseDepthPipeline::mergeRegions() {
-  const InverseDepthParameters& parameters = parameters_.inverse_depth;
-  const InverseDepthParameters::Merging& merging = parameters.expert.merging;
-  const double blotch = merging.bridge_samples * sensor_.pixelsPerLineSample();
+  const InverseDepthParameters::Merging& merging = grid_parameters_.expert.merging;
+  const double blotch = merging.bridge_samples * grid_sensor_.pixelsPerLineSample();
   const int bridge = std::max(merging.min_bridge_pixels, static_cast<int>(blotch));
-  epcc::mergeRegions(findContacts(*image_, bridge, parameters.expert.refinement.max_residual, map_), parameters,
-                     sensor_, map_);
+  epcc::mergeRegions(findContacts(*image_, bridge, grid_parameters_.expert.refinement.max_residual, map_),
+                     grid_parameters_, grid_sensor_, map_);
 }
 
 void InverseDepthPipeline::refineBoundaries() {
-  epcc::refineBoundaries(*image_, parameters_.inverse_depth, map_, refinement_);
+  epcc::refineBoundaries(*image_, grid_parameters_, map_, refinement_);
   map_.accumulate(*image_);
   mergeRegions();  // S6
 }
 
 void InverseDepthPipeline::rejectClutter() {
-  rejectRegions(*image_, parameters_.inverse_depth, sensor_, map_);
+  rejectRegions(*image_, grid_parameters_, grid_sensor_, map_);
 }
 
 void InverseDepthPipeline::joinOccluded() {
-  const InverseDepthParameters& parameters = parameters_.inverse_depth;
-  const RegionContacts contacts = findOccludedContacts(*image_, parameters.expert.merging.max_occluder,
-                                                       parameters.expert.refinement.max_residual, map_);
-  epcc::mergeRegions(contacts, parameters, sensor_, map_);
+  const RegionContacts contacts = findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
+                                                       grid_parameters_.expert.refinement.max_residual, map_);
+  epcc::mergeRegions(contacts, grid_parameters_, grid_sensor_, map_);
+}
+
+void InverseDepthPipeline::labelPixels() {
+  if (stride_ == 1) return;
+  full_resolution_.label(*full_image_, samples_.noise, map_, stride_, parameters_.inverse_depth.expert.refinement,
+                         parameters_.threads, pixel_labels_);
 }
 
 void InverseDepthPipeline::listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,

@@ -12,6 +12,7 @@
 #include "epcc_segmentation/sensor_model.h"
 #include "inverse_depth/boundary_refinement.h"
 #include "inverse_depth/directional_planes.h"
+#include "inverse_depth/full_resolution.h"
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/region_map.h"
 
@@ -24,7 +25,8 @@ class InverseDepthPipeline {
   /// For the frames to come; the memory is kept.
   void configure(const Parameters& parameters, const SensorModel& sensor);
 
-  /// Takes an image that was read; it must outlive the frame's steps. It is weighed by the sensor model.
+  /// Takes an image that was read; it must outlive the frame's steps. S1 to S8 work on a grid of its samples, or on the
+  /// image itself, which is then weighed by the sensor model.
   void begin(InverseDepthImage& image);
   void growLines();         ///< S1
   void growPlanes();        ///< S2
@@ -33,9 +35,10 @@ class InverseDepthPipeline {
   void refineBoundaries();  ///< S5, S6
   void rejectClutter();     ///< S7
   void joinOccluded();      ///< S8
+  void labelPixels();       ///< from the samples to all pixels
 
   /// Row-major labels, 0 or index into the regions + 1; some regions may be empty. They are the caller's to take away.
-  std::vector<std::int32_t>& labels() { return map_.labels; }
+  std::vector<std::int32_t>& labels() { return stride_ > 1 ? pixel_labels_ : map_.labels; }
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
   /// The line segments of S1, columns first. `frame` is the one that was read, `labels` the final ones, in the order of
   /// the caller's arrays.
@@ -49,12 +52,19 @@ class InverseDepthPipeline {
 
   Parameters parameters_;
   SensorModel sensor_;
-  InverseDepthImage* image_ = nullptr;
+  int stride_ = 1;
+  InverseDepthParameters grid_parameters_;  // in samples
+  SensorModel grid_sensor_;
+  InverseDepthImage samples_;
+  const InverseDepthImage* full_image_ = nullptr;
+  const InverseDepthImage* image_ = nullptr;          // that of S1 to S8
   std::array<DirectionalPlanes, 2> directions_;       // by columns, by rows
   std::array<std::vector<std::int32_t>, 2> rank_of_;  // per segment + 1: rank of its plane among all planes
   std::vector<std::int32_t> label_of_rank_;
   RegionMap map_;
   RefinementMemory refinement_;
+  FullResolution full_resolution_;
+  std::vector<std::int32_t> pixel_labels_;
 };
 
 }  // namespace epcc

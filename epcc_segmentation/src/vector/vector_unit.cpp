@@ -22,7 +22,7 @@ std::vector<Unit> units() {
                            {"avx2", HWY_AVX2},
                            {"sse4", HWY_SSE4},
                            {"neon", HWY_NEON},
-                           {HWY_ARCH_X86 != 0 ? "sse2" : "portable", HWY_EMU128}};
+                           {HWY_ARCH_X86 != 0 ? "sse2" : "portable", HWY_STATIC_TARGET}};
   // The baseline is not among what Highway detects: every processor has it.
   const std::int64_t available = HWY_TARGETS & (hwy::SupportedTargets() | HWY_STATIC_TARGET);
   std::vector<Unit> result;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Run by run of equal sample labels: a plane's numbers are loaded once a run.
+#include "inverse_depth/block_membership.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "inverse_depth/block_membership.cpp"
+#include <hwy/foreach_target.h>
+// (the kernels below are compiled once for each vector unit)
+#include <hwy/highway.h>
+
+#include "inverse_depth/inverse_depth_image.h"
+#include "vector/dispatch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace epcc {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using Labels = hn::Rebind<std::int32_t, Floats>;
+constexpr int kLanes = static_cast<int>(hn::MaxLanes(Floats()));
+
+/// The pixels [begin, end) of one label; a whole vector may be written beyond the end, but not beyond the row.
+HWY_INLINE void LabelRun(const PixelRow& row, std::int32_t label, int begin, int end, std::int32_t* labels) {
+  const Floats d;
+  const Labels di;
+  const InverseDepthNoise& noise = *row.noise;
+  const auto k1 = hn::Set(d, static_cast<float>(noise.k1));
+  const auto k2 = hn::Set(d, static_cast<float>(noise.k2));
+  const auto k3 = hn::Set(d, static_cast<float>(noise.k3));
+  const auto a2 = hn::Set(d, static_cast<float>(noise.a2));
+  const auto b2 = hn::Set(d, static_cast<float>(noise.b2));
+  const auto place2 = hn::Set(d, static_cast<float>(noise.place2));
+  const auto scale = hn::Set(d, row.scale);
+  const auto q_across = hn::Set(d, row.q_across[label]);
+  const auto q_forward = hn::Set(d, row.q_forward[label]);
+  const auto along = hn::Set(d, row.q_along[label] * row.along);
+  const auto limit = hn::Set(d, row.max_residual2 * row.slope[label]);
+  const auto own = hn::Set(di, label);
+  const auto members = [&](const float* w_at, const float* across_at, const float* forward_at) HWY_ATTR {
+    const auto w = hn::LoadU(d, w_at);
+    const auto plane = hn::Add(hn::Add(hn::Mul(q_across, hn::LoadU(d, across_at)), along),
+                               hn::Mul(q_forward, hn::LoadU(d, forward_at)));
+    const auto m = hn::Mul(w, scale);
+    const auto m2 = hn::Mul(m, m);
+    const auto polynomial = hn::Add(k1, hn::Mul(m, hn::Add(k2, hn::Mul(m, k3))));
+    const auto axial = hn::Add(b2, hn::Mul(hn::Mul(a2, m2), m2));
+    const auto variance = hn::Max(hn::Add(hn::Mul(polynomial, polynomial), axial), hn::Mul(place2, m2));
+    const auto residual = hn::Mul(hn::Sub(w, plane), scale);
+    const auto on_plane = hn::Le(hn::Mul(residual, residual), hn::Mul(limit, variance));
+    return hn::IfThenElseZero(hn::RebindMask(di, hn::And(on_plane, hn::Gt(w, hn::Zero(d)))), own);
+  };
+  int i = begin;
+  for (; i < end && i + kLanes <= row.width; i += kLanes)
+    hn::StoreU(members(row.w + i, row.across + i, row.forward + i), di, labels + i);
+  if (i >= end) return;
+  alignas(64) float w[kLanes] = {}, across[kLanes] = {}, forward[kLanes] = {};
+  alignas(64) std::int32_t rest[kLanes];
+  for (int k = 0; i + k < end; ++k) {
+    w[k] = row.w[i + k];
+    across[k] = row.across[i + k];
+    forward[k] = row.forward[i + k];
+  }
+  hn::Store(members(w, across, forward), di, rest);
+  for (int k = 0; i + k < end; ++k) labels[i + k] = rest[k];
+}
+
+void LabelMembers(const PixelRow* pixels, std::int32_t* labels) {
+  const PixelRow& row = *pixels;
+  for (int begin = 0, end = 0; begin < row.samples; begin = end) {
+    const std::int32_t label = row.sample_labels[begin];
+    while (end < row.samples && row.sample_labels[end] == label) ++end;
+    LabelRun(row, label, begin * row.stride, end < row.samples ? end * row.stride : row.width, labels);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace epcc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace epcc {
+
+HWY_EXPORT(LabelMembers);
+
+void labelMembers(const PixelRow& row, std::int32_t* labels) {
+  EPCC_KERNEL(LabelMembers)(&row, labels);
+}
+
+}  // namespace epcc
+#endif

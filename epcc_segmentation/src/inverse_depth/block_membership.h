@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pixels of one row that lie on the planes of the samples beside them, in vectors.
+#pragma once
+
+#include <cstdint>
+
+namespace epcc {
+
+struct InverseDepthNoise;
+
+/// A row of pixels, with the labels of the samples whose blocks it crosses and the planes of all labels.
+struct PixelRow {
+  const float* w;
+  const float *across, *forward;  ///< rays, per column
+  float along;
+  float scale;  ///< measured inverse depth = w * scale
+  int width;
+  const std::int32_t* sample_labels;
+  int samples;
+  int stride;
+  const float *q_across, *q_along, *q_forward, *slope;  ///< per label
+  const InverseDepthNoise* noise;
+  float max_residual2;  ///< in sigma^2
+};
+
+/// label = that of the sample if (w - q . ray)^2 <= max_residual^2 slope sigma_w^2, else 0.
+void labelMembers(const PixelRow& row, std::int32_t* labels);
+
+}  // namespace epcc

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Inverse depths and weights by arithmetic: tables of the depths of a sensor are slower.
+#include "inverse_depth/depth_inversion.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "inverse_depth/depth_inversion.cpp"
+#include <hwy/foreach_target.h>
+// (the kernels below are compiled once for each vector unit)
+#include <hwy/highway.h>
+
+#include <limits>
+
+#include "inverse_depth/inverse_depth_image.h"
+#include "vector/dispatch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace epcc {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using FloatVector = hn::Vec<Floats>;
+
+/// Calls step(vector) -> vector for all values; the last ones go through a vector of their own.
+template <typename Step>
+HWY_INLINE void forEachVector(const float* from, std::size_t count, float* to, const Step& step) {
+  const Floats d;
+  constexpr std::size_t kLanes = hn::MaxLanes(d);
+  std::size_t i = 0;
+  for (; i + kLanes <= count; i += kLanes) hn::StoreU(step(hn::LoadU(d, from + i)), d, to + i);
+  if (i == count) return;
+  alignas(64) float rest[kLanes] = {};
+  for (std::size_t k = 0; i + k < count; ++k) rest[k] = from[i + k];
+  hn::Store(step(hn::Load(d, rest)), d, rest);
+  for (std::size_t k = 0; i + k < count; ++k) to[i + k] = rest[k];
+}
+
+/// w = 1/z.
+void InvertDepths(const float* depth, std::size_t count, float* w) {
+  const Floats d;
+  const auto one = hn::Set(d, 1.0f);
+  const auto zero = hn::Zero(d);
+  const auto largest = hn::Set(d, std::numeric_limits<float>::max());
+  forEachVector(depth, count, w, [&](FloatVector z) HWY_ATTR {
+    const auto valid = hn::And(hn::Gt(z, zero), hn::Le(z, largest));
+    const auto inverse = hn::Div(one, hn::IfThenElse(valid, z, one));
+    return hn::IfThenElseZero(hn::And(valid, hn::Le(inverse, largest)), inverse);
+  });
+}
+
+/// sigma_w^2 = max((k1 + k2 w + k3 w^2)^2 + b^2 + a^2 w^4, place^2 w^2), at the measured inverse depth.
+void WeighInverseDepths(const float* w, std::size_t count, const InverseDepthNoise* noise, float scale, float* weight) {
+  const Floats d;
+  const auto k1 = hn::Set(d, static_cast<float>(noise->k1));
+  const auto k2 = hn::Set(d, static_cast<float>(noise->k2));
+  const auto k3 = hn::Set(d, static_cast<float>(noise->k3));
+  const auto a2 = hn::Set(d, static_cast<float>(noise->a2));
+  const auto b2 = hn::Set(d, static_cast<float>(noise->b2));
+  const auto place2 = hn::Set(d, static_cast<float>(noise->place2));
+  const auto scales = hn::Set(d, scale);
+  const auto scale2 = hn::Set(d, scale * scale);
+  // A float holds the weight of any depth that a sensor gives; of others it stays finite and positive.
+  const auto least = hn::Set(d, std::numeric_limits<float>::min());
+  const auto most = hn::Set(d, std::numeric_limits<float>::max());
+  forEachVector(w, count, weight, [&](FloatVector value) HWY_ATTR {
+    const auto m = hn::Mul(value, scales);
+    const auto m2 = hn::Mul(m, m);
+    const auto polynomial = hn::Add(k1, hn::Mul(m, hn::Add(k2, hn::Mul(m, k3))));
+    const auto axial = hn::Add(b2, hn::Mul(hn::Mul(a2, m2), m2));
+    const auto variance = hn::Max(hn::Add(hn::Mul(polynomial, polynomial), axial), hn::Mul(place2, m2));
+    return hn::Min(most, hn::Max(least, hn::Div(scale2, variance)));
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace epcc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace epcc {
+
+HWY_EXPORT(InvertDepths);
+HWY_EXPORT(WeighInverseDepths);
+
+void invertDepths(const float* depth, std::size_t count, float* w) {
+  EPCC_KERNEL(InvertDepths)(depth, count, w);
+}
+
+void weighInverseDepths(const float* w, std::size_t count, const InverseDepthNoise& noise, float scale, float* weight) {
+  EPCC_KERNEL(WeighInverseDepths)(w, count, &noise, scale, weight);
+}
+
+}  // namespace epcc
+#endif

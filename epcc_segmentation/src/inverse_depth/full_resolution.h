@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Labels of all pixels from those of the grid of samples.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "epcc_segmentation/parameters.h"
+#include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/region_map.h"
+
+namespace epcc {
+
+/// The planes of a region map in single precision, label by label; those of label 0 and of dropped regions fit nothing.
+struct LabelledPlanes {
+  std::vector<float> q_across, q_along, q_forward;  ///< w = q . ray
+  std::vector<float> slope;                         ///< see slopeFactor()
+
+  void assign(const std::vector<PlaneMoments>& regions);
+};
+
+/// A sample stands for the block of pixels around it: stride x stride, more at the right and lower edge. Its pixels
+/// that lie on the sample's plane take its label; then those of blocks that border on another label compare their own
+/// with the blocks that they face, by the rule of S5. Nothing depends on the order of the pixels. Keeps its memory.
+class FullResolution {
+ public:
+  /// `map` has the labels of image.sample(stride); `labels` receives those of the image, row-major. sigma_w is that of
+  /// `noise`.
+  void label(const InverseDepthImage& image, const InverseDepthNoise& noise, const RegionMap& map, int stride,
+             const InverseDepthParameters::Refinement& rule, int threads, std::vector<std::int32_t>& labels);
+
+ private:
+  std::vector<float> across_, forward_;
+  LabelledPlanes planes_;
+};
+
+}  // namespace epcc

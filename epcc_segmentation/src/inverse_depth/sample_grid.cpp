@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lengths are divided by the stride, areas by its square.
+#include "inverse_depth/sample_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epcc {
+
+namespace {
+
+constexpr double kPixelsPerStride = 320.0;
+constexpr int kMaxDefaultStride = 4;
+
+int nearest(int pixels, int stride, int least) {
+  return std::max(least, static_cast<int>(std::lround(static_cast<double>(pixels) / stride)));
+}
+
+}  // namespace
+
+int strideFor(int width, int stride) {
+  if (stride > 0) return stride;
+  return std::clamp(static_cast<int>(std::lround(width / kPixelsPerStride)), 1, kMaxDefaultStride);
+}
+
+InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int stride) {
+  InverseDepthParameters grid = parameters;
+  if (stride == 1) return grid;
+  const int area = stride * stride;
+  grid.min_points = nearest(parameters.min_points, area, 1);
+  InverseDepthParameters::Expert& expert = grid.expert;
+  expert.lines.min_samples = nearest(expert.lines.min_samples, stride, 3);
+  // Rounded down: a line that reached farther than before would run across grooves.
+  expert.lines.max_gap_pixels = std::max(0, (expert.lines.max_gap_pixels + 1) / stride - 1);
+  expert.planes.min_overlap_pixels = nearest(expert.planes.min_overlap_pixels, stride, 1);
+  expert.planes.min_points = nearest(expert.planes.min_points, area, 1);
+  expert.merging.min_bridge_pixels = nearest(expert.merging.min_bridge_pixels, stride, 1);
+  expert.merging.min_contacts = nearest(expert.merging.min_contacts, stride, 1);
+  expert.refinement.crease_vote_pixels = nearest(expert.refinement.crease_vote_pixels, stride, 1);
+  expert.refinement.crease_min_votes =
+      std::min(expert.refinement.crease_min_votes, nearest(expert.refinement.crease_min_votes, stride, 2));
+  return grid;
+}
+
+// A blotch smaller than the grid leaves its samples independent: SensorModel sees to it.
+SensorModel onGrid(const SensorModel& sensor, int stride) {
+  return sensor.withCorrelationLength(sensor.correlationLength() / stride);
+}
+
+}  // namespace epcc

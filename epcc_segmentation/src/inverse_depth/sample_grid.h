@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The grid of samples that S1 to S8 work on, and what the parameters are on it.
+#pragma once
+
+#include "epcc_segmentation/inverse_depth_parameters.h"
+#include "epcc_segmentation/sensor_model.h"
+
+namespace epcc {
+
+/// The stride itself, or the default for an image of this width: one for every 320 pixels, 1 to 4. The sensor's error
+/// is correlated, and where it is not it is small faces, not the number of samples, that limit what is found.
+int strideFor(int width, int stride);
+
+/// Parameters and sensor in samples of the grid, from those in pixels. What counts independent samples, ratios or sigma
+/// stays.
+InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int stride);
+SensorModel onGrid(const SensorModel& sensor, int stride);
+
+}  // namespace epcc
