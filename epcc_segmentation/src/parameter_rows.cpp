@@ -166,6 +166,11 @@ std::vector<ParameterField> inverseDepthFields() {
       number(EPCC_FIELD(inverse_depth.expert.evidence.bending_evidence), 0, 1e6, "independent samples",
              "Reduction of the squared residuals, in sigma^2 per independent sample, that bending must be worth",
              "planes are rejected for the bending of the sensor", "facets of curved things are reported"),
+      number(
+          EPCC_FIELD(inverse_depth.expert.evidence.min_thickness), 0, 1e6, "pixels",
+          "Thickness, pixels over pixels of border, that a plane of 30 independent samples and chi^2 = 1 needs (S9); "
+          "larger and smoother ones need less. 0 keeps all",
+          "ragged pieces of clutter are reported", "frames, rails and other narrow planes are missing"),
   };
 }
 

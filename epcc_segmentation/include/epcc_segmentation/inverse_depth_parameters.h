@@ -183,6 +183,11 @@ struct InverseDepthParameters {
     /// independent samples, default 5. Raise it if planes are rejected for the bending of the sensor; lower it if
     /// facets of curved things are reported.
     double bending_evidence = 5.0;
+
+    /// Thickness, pixels over pixels of border, that a plane of 30 independent samples and chi^2 = 1 needs (S9); larger
+    /// and smoother ones need less. 0 keeps all. [0, 1e6] pixels, default 4. Raise it if ragged pieces of clutter are
+    /// reported; lower it if frames, rails and other narrow planes are missing.
+    double min_thickness = 4.0;
   };
 
   /// The expert fields.

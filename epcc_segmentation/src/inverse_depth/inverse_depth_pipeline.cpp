@@ -10,6 +10,7 @@
 #include "inverse_depth/region_merging.h"
 #include "inverse_depth/sample_grid.h"
 #include "inverse_depth/segment_records.h"
+#include "inverse_depth/thickness.h"
 #include "parallel_for.h"
 
 namespace epcc {
@@ -140,6 +141,7 @@ void InverseDepthPipeline::joinOccluded() {
   const RegionContacts contacts = findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
                                                        grid_parameters_.expert.refinement.max_residual, map_);
   epcc::mergeRegions(contacts, grid_parameters_, grid_sensor_, map_);
+  rejectThin(*image_, grid_parameters_, grid_sensor_, stride_, map_);
 }
 
 void InverseDepthPipeline::labelPixels() {

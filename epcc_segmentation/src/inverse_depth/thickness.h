@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// S9: regions that are thin for their size are clutter.
+#pragma once
+
+#include "epcc_segmentation/parameters.h"
+#include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/region_map.h"
+
+namespace epcc {
+
+/// Unlabels the regions that are thinner than a plane of their size and roughness would be: t = n / P with P the
+/// border, an edge to a pixel with depth counting 1, to a hole a quarter, the image's edge nothing. Kept is
+///   t >= min_thickness chi^1.2 (n / (30 L))^-0.6,
+/// in pixels, L the pixels that an independent sample covers, at most 100. `stride` is that of the grid of `image`,
+/// `sensor` in pixels of it.
+void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
+                int stride, RegionMap& map);
+
+}  // namespace epcc

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// S9: ragged and narrow regions against compact ones.
+#include "inverse_depth/thickness.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/epcc_segmentation/inverse_depth/region_fixture.h"
+
+namespace {
+
+using epcc::InverseDepthImage;
+using epcc::InverseDepthParameters;
+using epcc::RegionMap;
+using epcc::SensorModel;
+using epcc::test::RenderedRoom;
+
+constexpr int kWidth = 160, kHeight = 120;
+const SensorModel kSensor = SensorModel::axial(0.003, 0.0, 1.0);
+
+/// A wall with the error of the sensor.
+RenderedRoom wall() {
+  auto room = epcc::test::renderRoom({Eigen::Vector4d(0.0, 0.0, -1.0, 2.0)}, epcc::test::testCamera(kWidth, kHeight));
+  epcc::test::addNoise(room, kSensor, 1);
+  return room;
+}
+
+/// Whether the region of the pixels for which `inside` holds stays.
+template <typename Inside>
+bool stays(const RenderedRoom& room, const Inside& inside, double min_thickness = 4.0) {
+  const InverseDepthImage image = epcc::test::imageOf(room, kSensor);
+  std::vector<std::int32_t> labels;
+  for (int row = 0; row < kHeight; ++row)
+    for (int column = 0; column < kWidth; ++column) labels.push_back(inside(row, column) ? 1 : 0);
+  RegionMap map = epcc::test::regionsOf(image, labels, 1);
+  InverseDepthParameters parameters;
+  parameters.expert.evidence.min_thickness = min_thickness;
+  epcc::rejectThin(image, parameters, kSensor, 1, map);
+  const bool left = map.regions[0].n > 0.0;
+  for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(map.labels[i], left ? labels[i] : 0);
+  return left;
+}
+
+const auto square = [](int row, int column) { return row >= 40 && row < 60 && column >= 40 && column < 60; };
+const auto comb = [](int row, int column) {  // as many pixels, in teeth one pixel wide
+  return row >= 40 && row < 60 && column >= 40 && column < 80 && column % 2 == 0;
+};
+
+TEST(Thickness, ACompactRegionStaysACombOfItsSizeGoes) {
+  EXPECT_TRUE(stays(wall(), square));
+  EXPECT_FALSE(stays(wall(), comb));
+  EXPECT_TRUE(stays(wall(), comb, 0.0)) << "0 keeps all";
+}
+
+TEST(Thickness, TheImagesEdgeIsNoBorder) {
+  const auto strip = [](int row, int column) { return row < 3 && column >= 0; };
+  const auto inner_strip = [](int row, int column) { return row >= 40 && row < 43 && column >= 0; };
+  EXPECT_TRUE(stays(wall(), strip, 8.0));
+  EXPECT_FALSE(stays(wall(), inner_strip, 8.0));
+}
+
+TEST(Thickness, HolesAreAQuarterOfABorder) {
+  RenderedRoom porous = wall();
+  for (int row = 40; row < 60; ++row)
+    for (int column = 41; column < 80; column += 2)
+      porous.depth[static_cast<std::size_t>(row) * kWidth + static_cast<std::size_t>(column)] = 0.0f;
+  EXPECT_TRUE(stays(porous, comb)) << "the same comb, its gaps are drop-outs";
+}
+
+TEST(Thickness, RoughRegionsMustBeThicker) {
+  RenderedRoom rough = wall();
+  epcc::test::addNoise(rough, SensorModel::axial(0.01, 0.0, 1.0), 2);
+  const auto band = [](int row, int column) { return row >= 40 && row < 48 && column >= 20 && column < 80; };
+  EXPECT_TRUE(stays(wall(), band));
+  EXPECT_FALSE(stays(rough, band));
+}
+
+TEST(Thickness, TheGridChangesLittle) {
+  const InverseDepthImage image = epcc::test::imageOf(wall(), kSensor);
+  InverseDepthImage samples;
+  samples.sample(image, 2);
+  samples.weigh(kSensor, image.placeVariance());
+  const SensorModel sensor = SensorModel::axial(0.003, 0.0, 4.0);  // blotches far longer than the grid
+  for (const double min_thickness : {1.0, 2.0, 4.0, 8.0, 16.0}) {
+    InverseDepthParameters parameters;
+    parameters.expert.evidence.min_thickness = min_thickness;
+    std::vector<bool> left;
+    for (const int stride : {1, 2}) {
+      const InverseDepthImage& grid = stride == 1 ? image : samples;
+      std::vector<std::int32_t> labels;
+      for (int row = 0; row < grid.height; ++row)
+        for (int column = 0; column < grid.width; ++column)
+          labels.push_back(square(row * stride, column * stride) ? 1 : 0);
+      RegionMap map = epcc::test::regionsOf(grid, labels, 1);
+      epcc::rejectThin(grid, parameters, sensor.withCorrelationLength(4.0 / stride), stride, map);
+      left.push_back(map.regions[0].n > 0.0);
+    }
+    EXPECT_EQ(left[0], left[1]) << min_thickness;
+  }
+}
+
+}  // namespace
