@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "epcc_segmentation/on_threads.h"
+#include "worker_pool.h"
 
 namespace epcc {
 
@@ -17,7 +17,7 @@ void parallelFor(int count, int threads, const Work& work) {
   const int parts = std::max(1, std::min(threads, count));
   const auto bound = [&](int part) { return static_cast<int>(static_cast<long>(count) * part / parts); };
   std::atomic<int> next{0};
-  onThreads(parts, [&] {
+  onWorkers(parts, [&] {
     for (int part = next++; part < parts; part = next++) work(part, bound(part), bound(part + 1));
   });
 }
