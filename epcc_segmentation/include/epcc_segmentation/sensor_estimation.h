@@ -2,9 +2,8 @@
 // The sensor model measured on the frames themselves: what `--noise auto` uses.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/export.h"
@@ -32,40 +31,42 @@ struct SensorEstimate {
 
 /// Fits planes to small blocks of the frame and reads the error off their residuals: its size by depth, corrected for
 /// what the fits absorb of it, and the radius of its blotches. Clutter only enlarges residuals, so low quantiles are
-/// used. A few milliseconds at 640x480.
+/// used. A fraction of a millisecond at 640x480, beside the reading of the frame.
 EPCC_CORE_EXPORT SensorEstimate estimateSensor(const DepthFrame& frame);
 
 struct InverseDepthImage;  // internal: a frame that has been read
 
 /// The same over a stream of one sensor: the median of a and b, the majority class and its median length over the last
-/// frames, so that the model settles and does not flicker.
+/// estimates, so that the model settles and does not flicker. Keeps its memory from frame to frame.
+///
+/// Until `memory` estimates are remembered, each frame gives one. From then on the cost is spread evenly: a frame
+/// measures every interval-th block, the next frame those beside them, and after `interval` frames, a round, all blocks
+/// of the round give an estimate, which replaces the oldest. So the model changes once a round at most. After a change
+/// of the sensor it follows when more than half of the remembered estimates are of the new one: at the latest after
+/// interval * (memory / 2 + 2) - 1 frames, 35 as a rule.
 class EPCC_CORE_EXPORT SensorEstimator {
  public:
-  /// memory: number of frames whose estimates are remembered, at least 1. interval: once the memory is full, only every
-  /// interval-th frame is measured, which saves time, at least 1. After a change of the sensor the model follows when
-  /// more than half of the remembered frames are from the new one.
+  /// memory: number of estimates that are remembered, at least 1. interval: number of frames in a round, 1 to 120,
+  /// for a frame measures one block at least.
   explicit SensorEstimator(std::size_t memory = 15, std::size_t interval = 4);
-  /// Measures a frame, if its turn has come, and returns the estimate of the stream. A change of the image size starts
-  /// afresh.
+  SensorEstimator(const SensorEstimator& other);
+  SensorEstimator& operator=(const SensorEstimator& other);
+  ~SensorEstimator();
+
+  /// Measures a frame, or its share of the blocks, and returns the estimate of the stream. A change of the image size
+  /// starts afresh.
   SensorEstimate update(const DepthFrame& frame);
-  /// The same of a frame that has been read; if it is not due, of any image of its size.
+  /// The same of a frame that has been read.
   SensorEstimate update(const InverseDepthImage& image);
-  /// Whether the next frame, of this size in pixels, will be measured.
+  /// Whether something will be measured on the next frame, of this size in pixels: always so.
   bool isDue(int width, int height) const;
+  /// Image blocks that the last update looked at, flat or not: what it cost.
+  std::size_t blocksLookedAt() const;
   void reset();
 
  private:
-  SensorEstimate take(const SensorEstimate& latest);
-  SensorEstimate summary(SensorEstimate stream) const;
-
-  std::size_t memory_;
-  std::size_t interval_;
-  std::size_t skipped_ = 0;  // frames since the last that was measured
-  int width_ = 0;
-  int height_ = 0;
-  std::size_t next_ = 0;
-  std::vector<SensorEstimate> estimates_;
-  SensorEstimate stream_;
+  struct Stream;
+  std::unique_ptr<Stream> stream_;
 };
 
 }  // namespace epcc

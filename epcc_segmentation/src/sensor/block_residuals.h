@@ -4,14 +4,11 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "inverse_depth/inverse_depth_image.h"
+#include "sensor/block_kernels.h"
 
 namespace epcc {
-
-/// Lags at which the autocorrelation is measured, pixels.
-constexpr std::array<int, 4> kLags = {1, 2, 4, 8};
 
 struct BlockResiduals {
   double depth = 0.0;      ///< measured depth at the block, metres

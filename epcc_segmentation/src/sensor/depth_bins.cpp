@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks spread over the image, binned by the logarithm of their depth.
+// Blocks binned by the logarithm of their depth, and what the bins tell.
 #include "sensor/depth_bins.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <map>
 
 #include "sensor/quantile.h"
 
@@ -13,104 +12,103 @@ namespace epcc {
 
 namespace {
 
-constexpr int kMaxBlocks = 120;
 constexpr std::size_t kMinBlocksPerBin = 4;
 constexpr double kBinsPerOctave = 3.0;
 constexpr double kLowQuantile = 0.2;
 constexpr double kClutteredBin = 3.0;  // in medians of r / z^2 over the bins
 constexpr double kClutterGuard = 1.1;
 
-std::vector<PlacedBlock> measureBlocks(const InverseDepthImage& image, int size) {
-  std::vector<PlacedBlock> blocks;
-  const int across = image.width / size;
-  const int down = image.height / size;
-  const int tiles = across * down;
-  const int count = std::min(tiles, kMaxBlocks);
-  for (int i = 0; i < count; ++i) {
-    const int tile = static_cast<int>(static_cast<long>(i) * tiles / count);
-    const int row = tile / across * size;
-    const int column = tile % across * size;
-    if (const auto block = measureBlock(image, row, column, size)) blocks.push_back({row, column, *block});
-  }
-  return blocks;
-}
-
-void summarize(DepthBin& bin) {
-  std::vector<double> r, steps;
-  double log_depth = 0.0;
-  for (const auto& block : bin.blocks) {
-    r.push_back(block.residuals.deviation);
-    steps.push_back(block.residuals.step);
-    log_depth += std::log(block.residuals.depth);
-  }
-  bin.weight = static_cast<double>(bin.blocks.size());
-  bin.depth = std::exp(log_depth / bin.weight);
-  bin.deviation = quantile(r, kLowQuantile);
-  bin.step = quantile(steps, 0.5);
-}
-
 double inverseDepthResidual(const DepthBin& bin) {
   return bin.deviation / (bin.depth * bin.depth);
 }
 
-/// Without the bins that hold little but clutter, whose outlines look like blotches.
-std::vector<DepthBin> clearBins(const std::vector<DepthBin>& bins) {
-  std::vector<double> residuals;
-  for (const auto& bin : bins) residuals.push_back(inverseDepthResidual(bin));
-  const double limit = kClutteredBin * quantile(residuals, 0.5);
-  std::vector<DepthBin> clear;
-  for (const auto& bin : bins)
-    if (inverseDepthResidual(bin) <= limit) clear.push_back(bin);
-  return clear;
+}  // namespace
+
+DepthBins::DepthBins() {
+  places_.reserve(kMaxBlocks);
+  bins_.reserve(kMaxBlocks / kMinBlocksPerBin);
+  values_.reserve(2 * kMaxBlocks);
 }
 
-double correlationAt(const std::vector<DepthBin>& bins, std::size_t lag, double roughest) {
+void DepthBins::sort(const std::vector<PlacedBlock>& blocks) {
+  blocks_ = &blocks;
+  places_.clear();
+  bins_.clear();
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    places_.push_back(
+        {static_cast<int>(std::floor(kBinsPerOctave * std::log2(blocks[i].residuals.depth))), static_cast<int>(i)});
+  std::sort(places_.begin(), places_.end());
+  for (std::size_t begin = 0, end; begin < places_.size(); begin = end) {
+    for (end = begin + 1; end < places_.size() && places_[end].bin == places_[begin].bin;) ++end;
+    if (end - begin < kMinBlocksPerBin) continue;
+    DepthBin bin;
+    bin.begin = begin;
+    bin.end = end;
+    summarize(bin);
+    if (bin.deviation > 0.0) bins_.push_back(bin);
+  }
+}
+
+void DepthBins::summarize(DepthBin& bin) {
+  bin.weight = static_cast<double>(bin.end - bin.begin);
+  double log_depth = 0.0;
+  values_.clear();
+  for (std::size_t i = bin.begin; i < bin.end; ++i) {
+    log_depth += std::log(block(i).residuals.depth);
+    values_.push_back(block(i).residuals.deviation);
+  }
+  bin.depth = std::exp(log_depth / bin.weight);
+  bin.deviation = quantile(values_, kLowQuantile);
+  values_.clear();
+  for (std::size_t i = bin.begin; i < bin.end; ++i) values_.push_back(block(i).residuals.step);
+  bin.step = quantile(values_, 0.5);
+}
+
+std::size_t DepthBins::blockCount() const {
+  std::size_t count = 0;
+  for (const DepthBin& bin : bins_) count += bin.end - bin.begin;
+  return count;
+}
+
+/// Of r / z^2 of the bins that do not hold little but clutter, whose outlines look like blotches.
+double DepthBins::clutterLimit() {
+  values_.clear();
+  for (const DepthBin& bin : bins_) values_.push_back(inverseDepthResidual(bin));
+  return kClutteredBin * quantile(values_, 0.5);
+}
+
+double DepthBins::correlationAt(std::size_t lag, double roughest, double clutter_limit) {
   double sum = 0.0;
   double weight = 0.0;
-  for (const auto& bin : bins) {
-    std::vector<double> values;
-    for (const auto& block : bin.blocks)
-      if (block.residuals.deviation < roughest * bin.deviation) values.push_back(block.residuals.correlation[lag]);
-    if (values.empty()) continue;
-    sum += bin.weight * quantile(values, 0.5);
+  for (const DepthBin& bin : bins_) {
+    if (inverseDepthResidual(bin) > clutter_limit) continue;
+    values_.clear();
+    for (std::size_t i = bin.begin; i < bin.end; ++i)
+      if (block(i).residuals.deviation < roughest * bin.deviation)
+        values_.push_back(block(i).residuals.correlation[lag]);
+    if (values_.empty()) continue;
+    sum += bin.weight * quantile(values_, 0.5);
     weight += bin.weight;
   }
   return weight > 0.0 ? sum / weight : 0.0;
 }
 
-}  // namespace
-
-std::vector<DepthBin> measureDepthBins(const InverseDepthImage& image, int block_size) {
-  std::map<int, DepthBin> bins;
-  for (const auto& block : measureBlocks(image, block_size))
-    bins[static_cast<int>(std::floor(kBinsPerOctave * std::log2(block.residuals.depth)))].blocks.push_back(block);
-  std::vector<DepthBin> usable;
-  for (auto& [index, bin] : bins) {
-    if (bin.blocks.size() < kMinBlocksPerBin) continue;
-    summarize(bin);
-    if (bin.deviation > 0.0) usable.push_back(bin);
-  }
-  return usable;
+std::array<double, kLags.size()> DepthBins::correlation(double roughest) {
+  assert(!bins_.empty());
+  const double limit = clutterLimit();
+  std::array<double, kLags.size()> result{};
+  for (std::size_t k = 0; k < kLags.size(); ++k) result[k] = correlationAt(k, roughest, limit);
+  return result;
 }
 
-std::array<double, kLags.size()> correlationOf(const std::vector<DepthBin>& bins, double roughest) {
-  assert(!bins.empty());
-  std::array<double, kLags.size()> correlation{};
-  const auto clear = clearBins(bins);
-  for (std::size_t k = 0; k < kLags.size(); ++k) correlation[k] = correlationAt(clear, k, roughest);
-  return correlation;
-}
-
-void guardAgainstClutter(const InverseDepthImage& image, int block_size, std::vector<DepthBin>& bins) {
-  const int half = block_size / 2;
-  for (auto& bin : bins) {
-    std::vector<double> r;
-    for (const auto& block : bin.blocks)
-      for (const int shift : {0, half})
-        if (const auto error = measureBlockError(image, block.row + shift, block.column + shift, half))
-          r.push_back(*error);
-    if (r.size() >= kMinBlocksPerBin)
-      bin.deviation = std::min(bin.deviation, kClutterGuard * quantile(r, kLowQuantile));
+void DepthBins::guardAgainstClutter() {
+  for (DepthBin& bin : bins_) {
+    values_.clear();
+    for (std::size_t i = bin.begin; i < bin.end; ++i)
+      for (const double deviation : block(i).half_deviations)
+        if (deviation != kUnmeasured) values_.push_back(deviation);
+    if (values_.size() >= kMinBlocksPerBin)
+      bin.deviation = std::min(bin.deviation, kClutterGuard * quantile(values_, kLowQuantile));
   }
 }
 

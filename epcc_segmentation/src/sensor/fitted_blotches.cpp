@@ -53,8 +53,10 @@ FittedBlotches fittedBlotches(double length, int size) {
     return std::exp(-distance * distance / (2.0 * length * length));
   };
   Eigen::MatrixXd c(size, size);
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) c(i, j) = i > j ? c(j, i) : correlation(j - i);
+  for (int lag = 0; lag < size; ++lag) {
+    c.diagonal(lag).setConstant(correlation(lag));
+    c.diagonal(-lag).setConstant(correlation(lag));
+  }
   const Axis constant(c, Eigen::VectorXd::Ones(size));
   const Axis tilt(c, x);
   const auto left = [&](int lag) {
@@ -69,17 +71,21 @@ FittedBlotches fittedBlotches(double length, int size) {
 }
 
 double Blotches::errorOverResidual() const {
-  return std::sqrt(1.0 - share + share / fittedBlotches(length, block_size).kept);
+  return std::sqrt(1.0 - share + share / kept);
+}
+
+BlotchTable::BlotchTable(int block_size) {
+  assert(block_size > 1);
+  for (double length = kMinLength; length <= kMaxLengthOfBlock * block_size; length *= kLengthStep)
+    entries_.push_back({length, fittedBlotches(length, block_size)});
 }
 
 // Lag 1 is left out: resampling to another grid correlates direct neighbours whatever the sensor does.
-Blotches fitBlotches(const std::array<double, kLags.size()>& correlation, int block_size) {
-  assert(block_size > 1);
+Blotches BlotchTable::fit(const std::array<double, kLags.size()>& correlation) const {
   Blotches best;
-  best.block_size = block_size;
   double smallest = std::numeric_limits<double>::infinity();
-  for (double length = kMinLength; length <= kMaxLengthOfBlock * block_size; length *= kLengthStep) {
-    const auto expected = fittedBlotches(length, block_size).correlation;
+  for (const Entry& entry : entries_) {
+    const auto& expected = entry.fitted.correlation;
     double product = 0.0;
     double square = 0.0;
     for (std::size_t k = 1; k < kLags.size(); ++k) {
@@ -90,10 +96,16 @@ Blotches fitBlotches(const std::array<double, kLags.size()>& correlation, int bl
     const double loss = share * (share * square - 2.0 * product);
     if (loss >= smallest) continue;
     smallest = loss;
-    best.length = length;
-    best.share = share;
+    best = {entry.length, share, entry.fitted.kept};
   }
   return best;
+}
+
+const BlotchTable& blotchTable(int block_size) {
+  static const BlotchTable of_16(16);
+  static const BlotchTable of_32(32);
+  assert(block_size == 16 || block_size == 32);
+  return block_size == 16 ? of_16 : of_32;
 }
 
 }  // namespace epcc

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "sensor/block_residuals.h"
 
@@ -21,13 +22,28 @@ FittedBlotches fittedBlotches(double length, int size);
 struct Blotches {
   double length = 1.0;  ///< radius, pixels
   double share = 0.0;   ///< of the residuals' variance, the rest is grain
-  int block_size = 0;   ///< of the blocks in which it was seen
+  double kept = 1.0;    ///< share of the blotches' variance that the fits to the blocks do not absorb
 
   /// Standard deviation of the error over that of the residuals in the blocks.
   double errorOverResidual() const;
 };
 
-/// Least squares on the correlation of the residuals beyond lag 1; up to a third of the block in length.
-Blotches fitBlotches(const std::array<double, kLags.size()>& correlation, int block_size);
+/// What blocks of one size leave of blotches of all lengths that they can tell apart, found once and for all.
+class BlotchTable {
+ public:
+  explicit BlotchTable(int block_size);
+  /// Least squares on the correlation of the residuals beyond lag 1; up to a third of the block in length.
+  Blotches fit(const std::array<double, kLags.size()>& correlation) const;
+
+ private:
+  struct Entry {
+    double length;
+    FittedBlotches fitted;
+  };
+  std::vector<Entry> entries_;
+};
+
+/// Of the two sizes that are measured, 16 and 32 pixels.
+const BlotchTable& blotchTable(int block_size);
 
 }  // namespace epcc

@@ -8,9 +8,9 @@
 
 namespace epcc {
 
-/// The value below which `share` of the values lie; not for an empty list. Reorders its copy.
+/// The value below which `share` of the values lie; not for an empty list. Reorders them.
 template <typename Scalar>
-Scalar quantile(std::vector<Scalar> values, double share) {
+Scalar quantile(std::vector<Scalar>& values, double share) {
   assert(!values.empty() && share >= 0.0 && share <= 1.0);
   const auto at = values.begin() + static_cast<long>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());

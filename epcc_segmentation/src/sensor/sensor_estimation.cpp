@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
-#include "sensor/depth_bins.h"
 #include "sensor/fitted_blotches.h"
 #include "sensor/image_estimation.h"
 
@@ -29,9 +27,9 @@ constexpr double kLongCorrelation = 0.14;  // at a quarter of the block: half-si
 constexpr double kLengthOverFit = 1.2;     // a block shows a length of 8 px as 6.7
 constexpr double kMaxLengthOfImage = 1.0 / 67;
 constexpr double kMinBlotch = 1.5;
-constexpr double kPinball = 0.3;
 constexpr double kMaxBinWeight = 20.0;
-constexpr int kGrid = 33;
+constexpr int kLargeBlock = 32;
+constexpr int kSmallImage = 400;  // longer side, pixels
 
 /// Standard deviation of an even distribution over an interval of this width.
 double evenDeviation(double width) {
@@ -39,7 +37,7 @@ double evenDeviation(double width) {
 }
 
 bool isWhite(const std::array<double, kLags.size()>& correlation, int block_size) {
-  return block_size < 32 ? correlation[0] < 0.30 : correlation[0] < 0.45 || correlation[1] < 0.35;
+  return block_size < kLargeBlock ? correlation[0] < 0.30 : correlation[0] < 0.45 || correlation[1] < 0.35;
 }
 
 double sigmaOverError(double next_pixel_correlation) {
@@ -55,31 +53,11 @@ double targetSigma(const DepthBin& bin, double sigma_over_residual, double place
   return std::hypot(seen, place * bin.depth);
 }
 
-/// Zero and kGrid - 1 values evenly spaced on a logarithmic scale.
-std::vector<double> logGrid(double low, double high) {
-  std::vector<double> values = {0.0};
-  for (int i = 0; i < kGrid - 1; ++i) values.push_back(low * std::pow(high / low, i / (kGrid - 2.0)));
-  return values;
-}
-
-// Below the median of the bins: clutter only enlarges them.
-void fitSigma(const std::vector<DepthBin>& bins, const std::vector<double>& log_targets, SensorEstimate& estimate) {
-  const auto grid = logGrid(1e-4, 0.03);
-  double best = std::numeric_limits<double>::infinity();
-  for (const double a : grid)
-    for (const double b : grid) {
-      if (a + b <= 0.0) continue;
-      double loss = 0.0;
-      for (std::size_t i = 0; i < bins.size(); ++i) {
-        const double z2 = bins[i].depth * bins[i].depth;
-        const double e = log_targets[i] - 0.5 * std::log(a * a + b * b * z2 * z2);
-        loss += std::min(bins[i].weight, kMaxBinWeight) * (e > 0.0 ? kPinball * e : (kPinball - 1.0) * e);
-      }
-      if (loss >= best) continue;
-      best = loss;
-      estimate.a = a;
-      estimate.b = b;
-    }
+/// Where nothing was measured.
+SensorEstimate genericEstimate(double longer_side) {
+  SensorEstimate estimate;
+  estimate.correlation_length = std::min(6.0, longer_side / 100.0);
+  return estimate;
 }
 
 }  // namespace
@@ -87,43 +65,75 @@ void fitSigma(const std::vector<DepthBin>& bins, const std::vector<double>& log_
 SensorEstimate estimateSensor(const DepthFrame& frame) {
   InverseDepthImage image;
   if (!frame.empty()) image.read(frame);
-  return estimateSensor(image);
+  return ImageEstimation().whole(image);
 }
 
-SensorEstimate estimateSensor(const InverseDepthImage& image) {
-  SensorEstimate estimate;
+ImageEstimation::ImageEstimation() {
+  targets_.reserve(kMaxBlocks);
+  blotchTable(kLargeBlock);  // so that no later frame has to build it
+}
+
+int ImageEstimation::blockSize(int width, int height) {
+  return std::max(width, height) < kSmallImage ? kSmallBlock : kLargeBlock;
+}
+
+SensorEstimate ImageEstimation::whole(const InverseDepthImage& image) {
+  if (image.width <= 0 || image.height <= 0) return genericEstimate(0.0);
+  begin(blockSize(image.width, image.height));
+  blocks_.measure(image, Turn());
+  const SensorEstimate result = estimate(image, true);
+  if (result.blocks > 0 || blocks_.blockSize() == kSmallBlock) return result;
+  begin(kSmallBlock);
+  blocks_.measure(image, Turn());
+  return estimate(image, true);
+}
+
+void ImageEstimation::measure(const InverseDepthImage& image, const Turn& turn, bool with_halves) {
+  blocks_.measure(image, turn);
+  if (with_halves)
+    blocks_.measureHalves(image);
+  else
+    blocks_.leaveOutHalves();
+}
+
+SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image, bool halves_are_missing) {
   const double longer_side = std::max(image.width, image.height);
-  estimate.correlation_length = std::min(6.0, longer_side / 100.0);
-  if (image.width <= 0 || image.height <= 0) return estimate;
+  const int size = blocks_.blockSize();
+  SensorEstimate result = genericEstimate(longer_side);
+  bins_.sort(blocks_.flat());
+  if (bins_.empty()) return result;
+  result.blocks = bins_.blockCount();
 
-  int size = longer_side < 400 ? 16 : 32;
-  auto bins = measureDepthBins(image, size);
-  if (bins.empty() && size == 32) {
-    size = 16;
-    bins = measureDepthBins(image, size);
-  }
-  if (bins.empty()) return estimate;
-  for (const auto& bin : bins) estimate.blocks += bin.blocks.size();
-
-  const auto correlation = correlationOf(bins, kFlatBlock);
+  const auto correlation = bins_.correlation(kFlatBlock);
   Blotches blotches;
-  blotches.block_size = size;
-  estimate.noise_class = NoiseClass::White;
-  estimate.correlation_length = 1.0;
+  result.noise_class = NoiseClass::White;
+  result.correlation_length = 1.0;
   if (!isWhite(correlation, size)) {
-    const bool is_long = correlation[size < 32 ? 2 : 3] > kLongCorrelation;
-    estimate.noise_class = is_long ? NoiseClass::Long : NoiseClass::Mid;
-    blotches = fitBlotches(is_long ? correlation : correlationOf(bins, kFlattestBlock), size);
-    estimate.correlation_length =
+    const bool is_long = correlation[size < kLargeBlock ? 2 : 3] > kLongCorrelation;
+    result.noise_class = is_long ? NoiseClass::Long : NoiseClass::Mid;
+    blotches = blotchTable(size).fit(is_long ? correlation : bins_.correlation(kFlattestBlock));
+    result.correlation_length =
         std::max(kMinBlotch, std::min(kLengthOverFit * blotches.length, kMaxLengthOfImage * longer_side));
   }
-  if (estimate.noise_class != NoiseClass::Long) guardAgainstClutter(image, size, bins);
-  const double sigma_over_residual = sigmaOverError(correlation[0]) * blotches.errorOverResidual();
-  const double place = blotches.length * std::sqrt(image.placeVariance());
-  std::vector<double> log_targets;
-  for (const auto& bin : bins) log_targets.push_back(std::log(targetSigma(bin, sigma_over_residual, place)));
-  fitSigma(bins, log_targets, estimate);
-  return estimate;
+  if (result.noise_class != NoiseClass::Long) {
+    if (halves_are_missing) blocks_.measureHalves(image);
+    bins_.guardAgainstClutter();
+  }
+  findTargets(sigmaOverError(correlation[0]) * blotches.errorOverResidual(),
+              blotches.length * std::sqrt(image.placeVariance()));
+  const SigmaFit fit = fitSigma(targets_);
+  if (fit.a + fit.b > 0.0) {
+    result.a = fit.a;
+    result.b = fit.b;
+  }
+  return result;
+}
+
+void ImageEstimation::findTargets(double sigma_over_residual, double place) {
+  targets_.clear();
+  for (std::size_t i = 0; i < bins_.size(); ++i)
+    targets_.push_back({bins_[i].depth, std::log(targetSigma(bins_[i], sigma_over_residual, place)),
+                        std::min(bins_[i].weight, kMaxBinWeight)});
 }
 
 }  // namespace epcc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The model of a stream: medians and a majority over its last frames.
+// The model of a stream: medians and a majority over its last estimates.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -10,67 +10,152 @@
 
 namespace epcc {
 
+namespace {
+
+constexpr std::size_t kMostReserved = 1000;  // estimates
+
+}  // namespace
+
+/// What is remembered, and the round of frames that is under way.
+struct SensorEstimator::Stream {
+  Stream(std::size_t memory_size, std::size_t frames_a_round)
+      : memory(std::max<std::size_t>(memory_size, 1)),
+        interval(std::clamp<std::size_t>(frames_a_round, 1, kMaxBlocks)) {
+    estimates.reserve(std::min(memory, kMostReserved));
+    values.reserve(std::min(memory, kMostReserved));
+  }
+
+  const std::size_t memory;
+  const std::size_t interval;
+  int width = 0;
+  int height = 0;
+  InverseDepthImage image;  // of frames that nobody has read
+  ImageEstimation estimation;
+  std::size_t looked_at = 0;
+  // the round
+  std::size_t frame = 0;
+  int block_size = 0;
+  bool with_halves = true;
+  // the memory
+  std::vector<SensorEstimate> estimates;
+  std::size_t oldest = 0;
+  SensorEstimate summary;
+  std::vector<double> values;  // to find the medians of
+
+  void reset();
+  void update(const InverseDepthImage& next);
+  void measureWhole(const InverseDepthImage& next);
+  void measureTurn(const InverseDepthImage& next);
+  void remember(const SensorEstimate& latest);
+  void summarize();
+};
+
+void SensorEstimator::Stream::reset() {
+  estimates.clear();
+  oldest = 0;
+  frame = 0;
+  block_size = ImageEstimation::blockSize(width, height);
+}
+
+void SensorEstimator::Stream::update(const InverseDepthImage& next) {
+  if (next.width != width || next.height != height) {
+    width = next.width;
+    height = next.height;
+    reset();
+  }
+  if (estimates.size() < memory)
+    measureWhole(next);
+  else
+    measureTurn(next);
+}
+
+void SensorEstimator::Stream::measureWhole(const InverseDepthImage& next) {
+  const SensorEstimate latest = estimation.whole(next);
+  looked_at = estimation.lookedAt();
+  remember(latest);
+}
+
+// Large blocks come first, as in a whole image; a round that finds nothing with them is followed by one of small ones.
+void SensorEstimator::Stream::measureTurn(const InverseDepthImage& next) {
+  if (frame == 0) {
+    estimation.begin(block_size);
+    with_halves = summary.noise_class != NoiseClass::Long;
+  }
+  const std::size_t before = estimation.lookedAt();
+  estimation.measure(next, {static_cast<int>(frame), static_cast<int>(interval)}, with_halves);
+  looked_at = estimation.lookedAt() - before;
+  if (++frame < interval) return;
+  frame = 0;
+  const SensorEstimate latest = estimation.estimate(next);
+  const int first_size = ImageEstimation::blockSize(width, height);
+  const bool nothing_found = latest.blocks == 0 && block_size == first_size;
+  block_size = nothing_found ? ImageEstimation::kSmallBlock : first_size;
+  remember(latest);
+}
+
+void SensorEstimator::Stream::remember(const SensorEstimate& latest) {
+  if (latest.blocks > 0) {
+    if (estimates.size() < memory)
+      estimates.push_back(latest);
+    else
+      estimates[oldest++ % memory] = latest;
+  }
+  if (estimates.empty())
+    summary = latest;
+  else
+    summarize();
+}
+
+void SensorEstimator::Stream::summarize() {
+  const auto median = [this](const auto& value_of) {
+    values.clear();
+    for (const SensorEstimate& estimate : estimates) value_of(estimate);
+    return quantile(values, 0.5);
+  };
+  std::array<int, 3> votes{};
+  summary.blocks = 0;
+  for (const SensorEstimate& estimate : estimates) {
+    ++votes[static_cast<std::size_t>(estimate.noise_class)];
+    summary.blocks += estimate.blocks;
+  }
+  summary.noise_class = static_cast<NoiseClass>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+  summary.correlation_length = median([this](const SensorEstimate& estimate) {
+    if (estimate.noise_class == summary.noise_class) values.push_back(estimate.correlation_length);
+  });
+  summary.a = median([this](const SensorEstimate& estimate) { values.push_back(estimate.a); });
+  summary.b = median([this](const SensorEstimate& estimate) { values.push_back(estimate.b); });
+}
+
 SensorEstimator::SensorEstimator(std::size_t memory, std::size_t interval)
-    : memory_(std::max<std::size_t>(memory, 1)), interval_(std::max<std::size_t>(interval, 1)) {}
-
-void SensorEstimator::reset() {
-  estimates_.clear();
-  next_ = 0;
-  skipped_ = 0;
+    : stream_(std::make_unique<Stream>(memory, interval)) {}
+SensorEstimator::SensorEstimator(const SensorEstimator& other) : stream_(std::make_unique<Stream>(*other.stream_)) {}
+SensorEstimator& SensorEstimator::operator=(const SensorEstimator& other) {
+  if (this != &other) stream_ = std::make_unique<Stream>(*other.stream_);
+  return *this;
 }
-
-bool SensorEstimator::isDue(int width, int height) const {
-  if (width != width_ || height != height_) return true;
-  return estimates_.size() < memory_ || skipped_ + 1 >= interval_;
-}
+SensorEstimator::~SensorEstimator() = default;
 
 SensorEstimate SensorEstimator::update(const DepthFrame& frame) {
-  InverseDepthImage image;
-  image.width = frame.width();
-  image.height = frame.height();
-  if (isDue(frame.width(), frame.height())) image.read(frame);
-  return update(image);
+  if (frame.empty()) return stream_->summary;  // nothing to learn
+  stream_->image.read(frame);
+  return update(stream_->image);
 }
 
 SensorEstimate SensorEstimator::update(const InverseDepthImage& image) {
-  const bool due = isDue(image.width, image.height);
-  if (image.width != width_ || image.height != height_) reset();
-  width_ = image.width;
-  height_ = image.height;
-  skipped_ = due ? 0 : skipped_ + 1;
-  return due ? take(estimateSensor(image)) : stream_;
+  stream_->update(image);
+  return stream_->summary;
 }
 
-SensorEstimate SensorEstimator::take(const SensorEstimate& latest) {
-  if (latest.blocks > 0) {
-    if (estimates_.size() < memory_)
-      estimates_.push_back(latest);
-    else
-      estimates_[next_++ % memory_] = latest;
-  }
-  stream_ = estimates_.empty() ? latest : summary(latest);
-  return stream_;
+bool SensorEstimator::isDue(int, int) const {
+  return true;
 }
 
-/// Of what is remembered; never empty.
-SensorEstimate SensorEstimator::summary(SensorEstimate stream) const {
-  std::array<int, 3> votes{};
-  std::vector<double> a, b;
-  stream.blocks = 0;
-  for (const auto& estimate : estimates_) {
-    ++votes[static_cast<std::size_t>(estimate.noise_class)];
-    a.push_back(estimate.a);
-    b.push_back(estimate.b);
-    stream.blocks += estimate.blocks;
-  }
-  stream.noise_class = static_cast<NoiseClass>(std::max_element(votes.begin(), votes.end()) - votes.begin());
-  std::vector<double> lengths;
-  for (const auto& estimate : estimates_)
-    if (estimate.noise_class == stream.noise_class) lengths.push_back(estimate.correlation_length);
-  stream.correlation_length = quantile(lengths, 0.5);
-  stream.a = quantile(a, 0.5);
-  stream.b = quantile(b, 0.5);
-  return stream;
+std::size_t SensorEstimator::blocksLookedAt() const {
+  return stream_->looked_at;
+}
+
+void SensorEstimator::reset() {
+  stream_->reset();
 }
 
 }  // namespace epcc

@@ -56,7 +56,7 @@ TEST(FittedBlotches, LengthAndShareAreRecovered) {
     const double length = size / 6.0;
     auto correlation = fittedBlotches(length, size).correlation;
     for (double& value : correlation) value *= 0.7;
-    const auto found = epcc::fitBlotches(correlation, size);
+    const auto found = epcc::blotchTable(size).fit(correlation);
     EXPECT_NEAR(found.length / length, 1.0, 0.06) << size;
     EXPECT_NEAR(found.share, 0.7, 0.03) << size;
     EXPECT_NEAR(found.errorOverResidual(), std::sqrt(0.3 + 0.7 / fittedBlotches(length, size).kept), 0.05) << size;
@@ -64,7 +64,7 @@ TEST(FittedBlotches, LengthAndShareAreRecovered) {
 }
 
 TEST(FittedBlotches, WithoutCorrelationNothingIsAddedBack) {
-  EXPECT_EQ(epcc::fitBlotches({0.0, 0.0, 0.0, 0.0}, 32).errorOverResidual(), 1.0);
+  EXPECT_EQ(epcc::blotchTable(32).fit({0.0, 0.0, 0.0, 0.0}).errorOverResidual(), 1.0);
 }
 
 }  // namespace

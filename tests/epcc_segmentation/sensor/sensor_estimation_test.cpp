@@ -195,17 +195,113 @@ TEST(SensorEstimator, SettlesOverAStreamAndOutvotesAnOddFrame) {
   EXPECT_NEAR(after.model().sigmaZ(1.8) / stream.model().sigmaZ(1.8), 1.0, 0.15);
 }
 
-TEST(SensorEstimator, OnceSettledEveryFourthFrameIsMeasured) {
+TEST(SensorEstimator, OnceSettledItsEstimateIsOfRoundsOfFourFrames) {
   auto calm = room(320, 240), rough = room(320, 240);
   epcc::test::addNoise(calm, SensorModel::axial(0.002, 0.0), 1);
   epcc::test::addNoise(rough, SensorModel::axial(0.02, 0.0), 1);
   epcc::SensorEstimator estimator(1, 4);
   const double settled = estimator.update(calm.frame()).model().sigmaZ(1.8);
-  for (int skipped = 0; skipped < 3; ++skipped)
-    EXPECT_EQ(estimator.update(rough.frame()).model().sigmaZ(1.8), settled) << skipped;
+  for (int frame = 0; frame < 3; ++frame)
+    EXPECT_EQ(estimator.update(rough.frame()).model().sigmaZ(1.8), settled) << frame;
   EXPECT_GT(estimator.update(rough.frame()).model().sigmaZ(1.8), 5.0 * settled);
   estimator.reset();
   EXPECT_EQ(estimator.update(calm.frame()).model().sigmaZ(1.8), settled);
+}
+
+TEST(SensorEstimator, ARoundOfOneFrameAfterAnotherGivesWhatTheWholeFrameGives) {
+  auto frame = room();
+  epcc::test::addNoise(frame, SensorModel::axial(0.003, 0.001), 1);
+  epcc::SensorEstimator estimator(1, 4);
+  estimator.update(room().frame());
+  epcc::SensorEstimate round;
+  for (int i = 0; i < 4; ++i) round = estimator.update(frame.frame());
+  const auto whole = epcc::estimateSensor(frame.frame());
+  EXPECT_EQ(round.a, whole.a);
+  EXPECT_EQ(round.b, whole.b);
+  EXPECT_EQ(round.noise_class, whole.noise_class);
+  EXPECT_EQ(round.blocks, whole.blocks);
+}
+
+TEST(SensorEstimator, OnceSettledEachFrameLooksAtAQuarterOfTheBlocks) {
+  auto frame = room();
+  epcc::test::addNoise(frame, SensorModel::axial(0.003, 0.001), 1);
+  epcc::SensorEstimator estimator;
+  for (int i = 0; i < 15; ++i) {
+    estimator.update(frame.frame());
+    EXPECT_EQ(estimator.blocksLookedAt(), 120u) << i;
+  }
+  for (int i = 0; i < 12; ++i) {
+    estimator.update(frame.frame());
+    EXPECT_EQ(estimator.blocksLookedAt(), 30u) << i;
+  }
+}
+
+TEST(SensorEstimator, FollowsAnotherSensorAsSoonAsDocumented) {
+  auto calm = room(320, 240), rough = room(320, 240);
+  epcc::test::addNoise(calm, SensorModel::axial(0.002, 0.0), 1);
+  addBlotches(rough, SensorModel::axial(0.02, 0.0), 5.0, 2);
+  const auto expected = epcc::estimateSensor(rough.frame());
+  ASSERT_NE(expected.noise_class, NoiseClass::White);
+  for (const int into_the_round : {0, 1, 3}) {
+    epcc::SensorEstimator estimator;  // 15 estimates, rounds of 4 frames
+    for (int i = 0; i < 15 + into_the_round; ++i) estimator.update(calm.frame());
+    epcc::SensorEstimate stream;
+    int frames = 0;
+    do stream = estimator.update(rough.frame());
+    while (++frames < 100 && stream.noise_class == NoiseClass::White);
+    EXPECT_LE(frames, 35) << into_the_round;
+    EXPECT_GT(frames, 24) << into_the_round << ": an odd second changes nothing";
+    for (; frames < 35; ++frames) stream = estimator.update(rough.frame());
+    EXPECT_NEAR(stream.model().sigmaZ(1.8) / expected.model().sigmaZ(1.8), 1.0, 0.01) << into_the_round;
+    EXPECT_EQ(stream.correlation_length, expected.correlation_length) << into_the_round;
+  }
+}
+
+TEST(SensorEstimator, BlocksTooLargeForTheSceneAreFollowedByARoundOfSmallOnes) {
+  auto wall = room(), lattice = room();
+  epcc::test::addNoise(wall, SensorModel::axial(0.002, 0.0), 1);
+  epcc::test::addNoise(lattice, SensorModel::axial(0.008, 0.0), 1);
+  for (int row = 0; row < 480; ++row)  // a quarter of each block of 32 is a hole, and of each four of 16 one
+    for (int column = 0; column < 640; ++column)
+      if (column / 16 % 2 == 1 && row / 16 % 2 == 1) lattice.depth[static_cast<std::size_t>(row * 640 + column)] = 0.0f;
+  const auto of_wall = epcc::estimateSensor(wall.frame()), of_lattice = epcc::estimateSensor(lattice.frame());
+  ASSERT_GT(of_lattice.blocks, 0u);
+  ASSERT_GT(of_lattice.a, 2.0 * of_wall.a);
+  epcc::SensorEstimator estimator(1, 4);
+  const auto afterFour = [&](const RenderedRoom& frame) {
+    for (int i = 0; i < 3; ++i) estimator.update(frame.frame());
+    return estimator.update(frame.frame()).a;
+  };
+  estimator.update(wall.frame());
+  EXPECT_EQ(afterFour(lattice), of_wall.a) << "large ones find nothing";
+  EXPECT_EQ(afterFour(lattice), of_lattice.a);
+  EXPECT_EQ(afterFour(wall), of_wall.a) << "then large ones again";
+}
+
+TEST(SensorEstimator, ACopyGoesOnByItself) {
+  auto calm = room(320, 240), rough = room(320, 240);
+  epcc::test::addNoise(calm, SensorModel::axial(0.002, 0.0), 1);
+  epcc::test::addNoise(rough, SensorModel::axial(0.02, 0.0), 1);
+  epcc::SensorEstimator estimator(1, 1);
+  const double a = estimator.update(calm.frame()).a;
+  epcc::SensorEstimator copy = estimator;
+  EXPECT_GT(copy.update(rough.frame()).a, 5.0 * a);
+  EXPECT_EQ(estimator.update(calm.frame()).a, a);
+  copy = estimator;
+  EXPECT_EQ(copy.update(calm.frame()).a, a);
+}
+
+TEST(SensorEstimator, AnotherImageSizeInTheMiddleOfARoundStartsAfresh) {
+  auto large = room(), small = room(480, 360);
+  epcc::test::addNoise(large, SensorModel::axial(0.002, 0.0), 1);
+  epcc::test::addNoise(small, SensorModel::axial(0.02, 0.0), 1);
+  epcc::SensorEstimator estimator(2, 4);
+  for (int i = 0; i < 4; ++i) estimator.update(large.frame());
+  const auto expected = epcc::estimateSensor(small.frame());
+  const auto found = estimator.update(small.frame());
+  EXPECT_EQ(found.a, expected.a);
+  EXPECT_EQ(found.blocks, expected.blocks);
+  EXPECT_EQ(estimator.blocksLookedAt(), 120u);
 }
 
 TEST(SensorEstimator, AnotherImageSizeStartsAfresh) {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The flat blocks of a frame, or of a part of it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "inverse_depth/inverse_depth_image.h"
+#include "sensor/block_residuals.h"
+
+namespace epcc {
+
+constexpr int kMaxBlocks = 120;
+
+struct PlacedBlock {
+  int row, column;
+  BlockResiduals residuals;
+  std::array<double, 2> half_deviations;  ///< of two blocks of half the size within it, metres; kUnmeasured
+};
+
+constexpr double kUnmeasured = -1.0;
+
+/// The share of the blocks that one frame measures: those whose number leaves `phase` when divided by `phases`.
+struct Turn {
+  int phase = 0;
+  int phases = 1;
+};
+
+/// Blocks spread evenly over the image, at most kMaxBlocks. Measured a turn at a time, on one image or on several of
+/// the same size; keeps its memory.
+class ImageBlocks {
+ public:
+  ImageBlocks() { blocks_.reserve(kMaxBlocks); }
+  /// Forgets what was measured.
+  void begin(int block_size);
+  void measure(const InverseDepthImage& image, const Turn& turn);
+  /// The halves of those blocks whose halves have not been measured or left out; on the image they were measured on.
+  void measureHalves(const InverseDepthImage& image);
+  void leaveOutHalves() { halves_done_ = blocks_.size(); }
+
+  int blockSize() const { return block_size_; }
+  const std::vector<PlacedBlock>& flat() const { return blocks_; }
+  /// How many blocks were looked at, flat or not.
+  std::size_t lookedAt() const { return looked_at_; }
+
+ private:
+  int block_size_ = 0;
+  std::size_t looked_at_ = 0;
+  std::size_t halves_done_ = 0;
+  std::vector<PlacedBlock> blocks_;
+};
+
+}  // namespace epcc

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Planes of image blocks: what is found, where nothing is, and the same bits on every vector unit.
+#include "sensor/block_residuals.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "epcc_segmentation/vector_unit.h"
+
+namespace epcc {
+namespace {
+
+constexpr int kWidth = 77;  // no multiple of anything
+constexpr int kHeight = 45;
+
+/// A wall at about 2 m with a white error of inverse depth.
+InverseDepthImage wall(float deviation) {
+  InverseDepthImage image;
+  image.width = kWidth;
+  image.height = kHeight;
+  for (int i = 0; i < kWidth; ++i) image.across.push_back(0.002 * i);
+  for (int i = 0; i < kHeight; ++i) image.along.push_back(0.002 * i);
+  image.forward.assign(kWidth, 1.0);
+  image.measured_scale.assign(kHeight, 1.0);
+  std::mt19937 generator(4);
+  std::normal_distribution<float> normal;
+  for (int row = 0; row < kHeight; ++row)
+    for (int column = 0; column < kWidth; ++column)
+      image.w.push_back(0.5f + 1e-4f * static_cast<float>(column) - 5e-5f * static_cast<float>(row) +
+                        deviation * normal(generator));
+  image.w.shrink_to_fit();  // so that reading beyond it is seen
+  return image;
+}
+
+TEST(BlockResiduals, TellTheErrorAtTheImagesCornersForAllSizes) {
+  constexpr float kDeviation = 0.001f;
+  const auto image = wall(kDeviation);
+  for (const int size : {8, 12, 16, 21, 32})
+    for (const int row : {0, kHeight - size})
+      for (const int column : {0, kWidth - size}) {
+        const auto block = measureBlock(image, row, column, size);
+        ASSERT_TRUE(block) << size << " at " << row << ", " << column;
+        EXPECT_NEAR(block->depth, 2.0, 0.05);
+        const double expected = static_cast<double>(kDeviation) * block->depth * block->depth;
+        EXPECT_NEAR(block->deviation / expected, 1.0, 4.0 / size) << size << " at " << row << ", " << column;
+        EXPECT_LT(std::abs(block->correlation[0]), 3.0 / size) << size;
+        EXPECT_EQ(measureBlockError(image, row, column, size), block->deviation);
+      }
+}
+
+TEST(BlockResiduals, HolesAndOutliersChangeLittleUntilThereAreTooMany) {
+  auto image = wall(0.001f);
+  const auto clean = measureBlock(image, 3, 5, 32);
+  for (int row = 3; row < 35; ++row)
+    for (int column = 5; column < 10; ++column) image.w[image.index(row, column)] = 0.0f;  // 16 %
+  const auto holes = measureBlock(image, 3, 5, 32);
+  ASSERT_TRUE(clean && holes);
+  EXPECT_NEAR(holes->deviation / clean->deviation, 1.0, 0.05);
+  auto outliers = image;
+  for (int row = 3; row < 35; ++row)
+    for (int column = 32; column < 37; ++column) outliers.w[image.index(row, column)] = 0.8f;
+  ASSERT_TRUE(measureBlock(outliers, 3, 5, 32));
+  EXPECT_NEAR(measureBlock(outliers, 3, 5, 32)->deviation / clean->deviation, 1.0, 0.05);
+  for (int row = 3; row < 35; ++row)
+    for (int column = 10; column < 12; ++column) image.w[image.index(row, column)] = 0.0f;  // 22 %
+  EXPECT_FALSE(measureBlock(image, 3, 5, 32));
+}
+
+TEST(BlockResiduals, AConstantBlockHasNoErrorAndNoStep) {
+  auto image = wall(0.0f);
+  image.w.assign(image.w.size(), 0.5f);
+  for (const int size : {8, 16, 32}) {
+    const auto block = measureBlock(image, 0, 0, size);
+    ASSERT_TRUE(block) << size;
+    EXPECT_LT(block->deviation, 1e-7) << size;
+    EXPECT_EQ(block->step, 0.0) << size;
+  }
+}
+
+TEST(BlockResiduals, TheStepOfAQuantisedBlockIsFound) {
+  auto image = wall(0.002f);
+  for (float& value : image.w) value = std::round(value * 1024.0f) / 1024.0f;
+  const auto block = measureBlock(image, 0, 0, 32);
+  ASSERT_TRUE(block);
+  EXPECT_NEAR(block->step, block->depth * block->depth / 1024.0, 1e-9);
+}
+
+TEST(BlockResiduals, AreTheSameBitsOnEveryVectorUnit) {
+  auto image = wall(0.001f);
+  std::mt19937 generator(6);
+  for (float& value : image.w)
+    if (generator() % 10 == 0) value = generator() % 2 == 0 ? 0.0f : 0.7f;
+  const std::string before = vectorUnit();
+  for (const int size : {8, 16, 19, 32}) {
+    std::vector<BlockResiduals> found;
+    for (const std::string& unit : vectorUnits()) {
+      ASSERT_TRUE(setVectorUnit(unit));
+      const auto block = measureBlock(image, kHeight - size, kWidth - size, size);
+      ASSERT_TRUE(block) << unit << ", " << size;
+      found.push_back(*block);
+      EXPECT_EQ(found.front().depth, block->depth) << unit << ", " << size;
+      EXPECT_EQ(found.front().deviation, block->deviation) << unit << ", " << size;
+      EXPECT_EQ(found.front().step, block->step) << unit << ", " << size;
+      EXPECT_EQ(found.front().correlation, block->correlation) << unit << ", " << size;
+    }
+  }
+  setVectorUnit(before);
+}
+
+}  // namespace
+}  // namespace epcc
