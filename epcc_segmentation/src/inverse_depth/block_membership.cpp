@@ -25,6 +25,7 @@ HWY_INLINE void LabelRun(const PixelRow& row, std::int32_t label, int begin, int
   const Floats d;
   const Labels di;
   const InverseDepthNoise& noise = *row.noise;
+  const PixelPlane& plane = row.planes[label];
   const auto k1 = hn::Set(d, static_cast<float>(noise.k1));
   const auto k2 = hn::Set(d, static_cast<float>(noise.k2));
   const auto k3 = hn::Set(d, static_cast<float>(noise.k3));
@@ -32,21 +33,21 @@ HWY_INLINE void LabelRun(const PixelRow& row, std::int32_t label, int begin, int
   const auto b2 = hn::Set(d, static_cast<float>(noise.b2));
   const auto place2 = hn::Set(d, static_cast<float>(noise.place2));
   const auto scale = hn::Set(d, row.scale);
-  const auto q_across = hn::Set(d, row.q_across[label]);
-  const auto q_forward = hn::Set(d, row.q_forward[label]);
-  const auto along = hn::Set(d, row.q_along[label] * row.along);
-  const auto limit = hn::Set(d, row.max_residual2 * row.slope[label]);
+  const auto q_across = hn::Set(d, plane.across);
+  const auto q_forward = hn::Set(d, plane.forward);
+  const auto along = hn::Set(d, plane.along * row.along);
+  const auto limit = hn::Set(d, row.max_residual2 * plane.slope);
   const auto own = hn::Set(di, label);
   const auto members = [&](const float* w_at, const float* across_at, const float* forward_at) HWY_ATTR {
     const auto w = hn::LoadU(d, w_at);
-    const auto plane = hn::Add(hn::Add(hn::Mul(q_across, hn::LoadU(d, across_at)), along),
-                               hn::Mul(q_forward, hn::LoadU(d, forward_at)));
+    const auto expected = hn::Add(hn::Add(hn::Mul(q_across, hn::LoadU(d, across_at)), along),
+                                  hn::Mul(q_forward, hn::LoadU(d, forward_at)));
     const auto m = hn::Mul(w, scale);
     const auto m2 = hn::Mul(m, m);
     const auto polynomial = hn::Add(k1, hn::Mul(m, hn::Add(k2, hn::Mul(m, k3))));
     const auto axial = hn::Add(b2, hn::Mul(hn::Mul(a2, m2), m2));
     const auto variance = hn::Max(hn::Add(hn::Mul(polynomial, polynomial), axial), hn::Mul(place2, m2));
-    const auto residual = hn::Mul(hn::Sub(w, plane), scale);
+    const auto residual = hn::Mul(hn::Sub(w, expected), scale);
     const auto on_plane = hn::Le(hn::Mul(residual, residual), hn::Mul(limit, variance));
     return hn::IfThenElseZero(hn::RebindMask(di, hn::And(on_plane, hn::Gt(w, hn::Zero(d)))), own);
   };

@@ -8,6 +8,18 @@ namespace epcc {
 
 struct InverseDepthNoise;
 
+/// A plane w = q . ray in single precision; that of label 0 fits nothing.
+struct PixelPlane {
+  float across = 0.0f, along = 0.0f, forward = 0.0f;  ///< q
+  float slope = 0.0f;                                 ///< see slopeFactor()
+  float inverse_root_slope = 0.0f;
+};
+
+/// Rays in single precision: across and forward per column, along per row.
+struct PixelRays {
+  const float *across, *along, *forward;
+};
+
 /// A row of pixels, with the labels of the samples whose blocks it crosses and the planes of all labels.
 struct PixelRow {
   const float* w;
@@ -18,7 +30,7 @@ struct PixelRow {
   const std::int32_t* sample_labels;
   int samples;
   int stride;
-  const float *q_across, *q_along, *q_forward, *slope;  ///< per label
+  const PixelPlane* planes;  ///< per label
   const InverseDepthNoise* noise;
   float max_residual2;  ///< in sigma^2
 };

@@ -11,20 +11,6 @@
 
 namespace epcc {
 
-void LabelledPlanes::assign(const std::vector<PlaneMoments>& regions) {
-  const std::size_t count = regions.size() + 1;
-  for (std::vector<float>* part : {&q_across, &q_along, &q_forward, &slope}) part->assign(count, 0.0f);
-  for (std::size_t label = 1; label < count; ++label) {
-    const PlaneMoments& region = regions[label - 1];
-    if (region.n <= 0.0) continue;
-    const RegionPlane plane(region);
-    q_across[label] = static_cast<float>(plane.q.x());
-    q_along[label] = static_cast<float>(plane.q.y());
-    q_forward[label] = static_cast<float>(plane.q.z());
-    slope[label] = static_cast<float>(plane.slope_factor);
-  }
-}
-
 namespace {
 
 void toSingle(const std::vector<double>& values, std::vector<float>& single) {
@@ -36,7 +22,8 @@ void toSingle(const std::vector<double>& values, std::vector<float>& single) {
 class BorderBlocks {
  public:
   BorderBlocks(const InverseDepthImage& image, const InverseDepthNoise& noise, const RegionMap& map, int stride,
-               const InverseDepthParameters::Refinement& rule, const LabelledPlanes& planes, std::int32_t* labels)
+               const InverseDepthParameters::Refinement& rule, const PixelPlane* planes, const PixelRays& rays,
+               std::int32_t* labels)
       : image_(image),
         noise_(noise),
         samples_(map.labels.data()),
@@ -44,8 +31,12 @@ class BorderBlocks {
         sample_columns_(sampleCount(image.width, stride)),
         stride_(stride),
         probe_(std::max(1, (rule.crease_vote_pixels + stride / 2) / stride)),
-        rule_(rule),
+        max_residual_(static_cast<float>(rule.max_residual)),
+        flip_gain_(static_cast<float>(rule.flip_gain)),
+        crease_range_(static_cast<float>(rule.crease_range)),
+        crease_slack_(static_cast<float>(rule.crease_slack)),
         planes_(planes),
+        rays_(rays),
         labels_(labels) {}
 
   void decide(int sample_row) {
@@ -62,7 +53,8 @@ class BorderBlocks {
   }
 
  private:
-  /// The block that a pixel faces, and, where it meets its own block's plane in a crease, on which side its own lies.
+  /// The label of the block that a pixel faces, 0 if it is none or its own block's; and, where the two planes meet in a
+  /// crease, on which side its own lies.
   struct Facing {
     std::int32_t label = 0;
     float own_side = 0.0f;  // sign of own plane - other plane on the own side of the crease; 0: no crease
@@ -74,10 +66,8 @@ class BorderBlocks {
   }
 
   float planeAt(std::int32_t label, int row, int column) const {
-    const auto k = static_cast<std::size_t>(label);
-    return planes_.q_across[k] * static_cast<float>(image_.across[static_cast<std::size_t>(column)]) +
-           planes_.q_along[k] * static_cast<float>(image_.along[static_cast<std::size_t>(row)]) +
-           planes_.q_forward[k] * static_cast<float>(image_.forward[static_cast<std::size_t>(column)]);
+    const PixelPlane& plane = planes_[label];
+    return plane.across * rays_.across[column] + plane.along * rays_.along[row] + plane.forward * rays_.forward[column];
   }
 
   float differenceAt(std::int32_t a, std::int32_t b, int sample_row, int sample_column) const {
@@ -91,8 +81,10 @@ class BorderBlocks {
   Facing face(int row, int column, int down, int right) const {
     const std::int32_t own = sampleAt(row, column);
     Facing facing;
-    facing.label = sampleAt(row + down, column + right);
-    if (facing.label == own || facing.label == 0 || own == 0) return facing;
+    const std::int32_t other = sampleAt(row + down, column + right);
+    if (other == own || other == 0) return facing;
+    facing.label = other;
+    if (own == 0) return facing;
     const int back_row = row - probe_ * down, back_column = column - probe_ * right;
     const int forth_row = row + (probe_ + 1) * down, forth_column = column + (probe_ + 1) * right;
     if (sampleAt(back_row, back_column) != own || sampleAt(forth_row, forth_column) != facing.label) return facing;
@@ -112,40 +104,43 @@ class BorderBlocks {
     const int row_begin = sample_row * stride_, column_begin = sample_column * stride_;
     const int row_end = sample_row + 1 < sample_rows_ ? row_begin + stride_ : image_.height;
     const int column_end = sample_column + 1 < sample_columns_ ? column_begin + stride_ : image_.width;
-    for (int row = row_begin; row < row_end; ++row)
-      for (int column = column_begin; column < column_end; ++column)
-        decidePixel(row, column, {next[half(column - column_begin)], beside[half(row - row_begin)]});
+    for (int row = row_begin; row < row_end; ++row) {
+      const Facing& second = beside[half(row - row_begin)];
+      for (int column = column_begin; column < column_end; ++column) {
+        const Facing& first = next[half(column - column_begin)];
+        if (first.label != 0 || second.label != 0) decidePixel(row, column, first, second);
+      }
+    }
   }
 
-  void decidePixel(int row, int column, const std::array<Facing, 2>& facing) {
+  // By residuals, but where two planes meet in a crease by the side on which the pixel lies.
+  void decidePixel(int row, int column, const Facing& first, const Facing& second) {
     const std::size_t pixel = image_.index(row, column);
     const float w = image_.w[pixel];
-    const std::int32_t current = labels_[pixel];
     if (!(w > 0.0f)) return;
     const double scale = image_.measured_scale[static_cast<std::size_t>(row)];
     const auto inverse_sigma = static_cast<float>(scale / std::sqrt(noise_.variance(static_cast<double>(w) * scale)));
-    const auto error = [&](std::int32_t of) {
-      return std::abs(w - planeAt(of, row, column)) * inverse_sigma /
-             std::sqrt(planes_.slope[static_cast<std::size_t>(of)]);
+    const auto errorOf = [&](std::int32_t label, float plane) {
+      return std::abs(w - plane) * inverse_sigma * planes_[label].inverse_root_slope;
     };
-    const auto range = static_cast<float>(rule_.crease_range);
-    const float current_error = current != 0 ? error(current) : static_cast<float>(rule_.max_residual);
-    float least = current != 0 ? current_error - static_cast<float>(rule_.flip_gain) : current_error;
+    const std::int32_t current = labels_[pixel];
+    const float current_plane = current != 0 ? planeAt(current, row, column) : 0.0f;
+    const float current_error = current != 0 ? errorOf(current, current_plane) : max_residual_;
+    float least = current != 0 ? current_error - flip_gain_ : current_error;
     std::int32_t best = current;
-    for (const Facing& other : facing) {
-      if (other.label == 0 || other.label == current || other.label == best) continue;
-      const float e = error(other.label);
-      if (current != 0 && other.own_side != 0.0f && current_error < range && e < range) {
-        const float difference = planeAt(current, row, column) - planeAt(other.label, row, column);
-        if (std::abs(difference) * inverse_sigma < range) {
-          if (difference * other.own_side < 0.0f && e < current_error + static_cast<float>(rule_.crease_slack))
-            best = other.label, least = std::min(least, e);
-          continue;
-        }
+    for (const Facing* other : {&first, &second}) {
+      if (other->label == 0 || other->label == best || other->label == current) continue;
+      const float plane = planeAt(other->label, row, column);
+      const float error = errorOf(other->label, plane);
+      if (current != 0 && other->own_side != 0.0f && current_error < crease_range_ && error < crease_range_ &&
+          std::abs(current_plane - plane) * inverse_sigma < crease_range_) {
+        const bool own_side = (current_plane - plane) * other->own_side >= 0.0f;
+        if (own_side || error >= current_error + crease_slack_) continue;
+      } else if (error >= least) {
+        continue;
       }
-      if (e >= least) continue;
-      least = e;
-      best = other.label;
+      least = std::min(least, error);
+      best = other->label;
     }
     labels_[pixel] = best;
   }
@@ -156,35 +151,45 @@ class BorderBlocks {
   int sample_rows_, sample_columns_;
   int stride_;
   int probe_;  // samples between the border and what lies to its sides
-  const InverseDepthParameters::Refinement& rule_;
-  const LabelledPlanes& planes_;
+  float max_residual_, flip_gain_, crease_range_, crease_slack_;
+  const PixelPlane* planes_;
+  const PixelRays& rays_;
   std::int32_t* labels_;
 };
 
 }  // namespace
+
+void FullResolution::takePlanes(const std::vector<PlaneMoments>& regions) {
+  planes_.assign(regions.size() + 1, PixelPlane());
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    if (regions[k].n <= 0.0) continue;
+    const RegionPlane plane(regions[k]);
+    planes_[k + 1] = {static_cast<float>(plane.q.x()), static_cast<float>(plane.q.y()), static_cast<float>(plane.q.z()),
+                      static_cast<float>(plane.slope_factor), static_cast<float>(1.0 / std::sqrt(plane.slope_factor))};
+  }
+}
 
 void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoise& noise, const RegionMap& map,
                            int stride, const InverseDepthParameters::Refinement& rule, int threads,
                            std::vector<std::int32_t>& labels) {
   labels.resize(image.w.size());
   toSingle(image.across, across_);
+  toSingle(image.along, along_);
   toSingle(image.forward, forward_);
-  planes_.assign(map.regions);
+  takePlanes(map.regions);
+  const PixelRays rays{across_.data(), along_.data(), forward_.data()};
   const int sample_columns = sampleCount(image.width, stride);
   const int sample_rows = sampleCount(image.height, stride);
   parallelFor(sample_rows, threads, [&](int /*thread*/, int begin, int end) {
-    BorderBlocks borders(image, noise, map, stride, rule, planes_, labels.data());
+    BorderBlocks borders(image, noise, map, stride, rule, planes_.data(), rays, labels.data());
     for (int sample_row = begin; sample_row < end; ++sample_row) {
       const int row_end = sample_row + 1 < sample_rows ? (sample_row + 1) * stride : image.height;
-      for (int row = sample_row * stride; row < row_end; ++row) {
-        const auto r = static_cast<std::size_t>(row);
-        labelMembers({image.w.data() + image.index(row, 0), across_.data(), forward_.data(),
-                      static_cast<float>(image.along[r]), static_cast<float>(image.measured_scale[r]), image.width,
+      for (int row = sample_row * stride; row < row_end; ++row)
+        labelMembers({image.w.data() + image.index(row, 0), across_.data(), forward_.data(), rays.along[row],
+                      static_cast<float>(image.measured_scale[static_cast<std::size_t>(row)]), image.width,
                       map.labels.data() + static_cast<std::ptrdiff_t>(sample_row) * sample_columns, sample_columns,
-                      stride, planes_.q_across.data(), planes_.q_along.data(), planes_.q_forward.data(),
-                      planes_.slope.data(), &noise, static_cast<float>(rule.max_residual * rule.max_residual)},
+                      stride, planes_.data(), &noise, static_cast<float>(rule.max_residual * rule.max_residual)},
                      labels.data() + image.index(row, 0));
-      }
       borders.decide(sample_row);
     }
   });

@@ -6,18 +6,11 @@
 #include <vector>
 
 #include "epcc_segmentation/parameters.h"
+#include "inverse_depth/block_membership.h"
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/region_map.h"
 
 namespace epcc {
-
-/// The planes of a region map in single precision, label by label; those of label 0 and of dropped regions fit nothing.
-struct LabelledPlanes {
-  std::vector<float> q_across, q_along, q_forward;  ///< w = q . ray
-  std::vector<float> slope;                         ///< see slopeFactor()
-
-  void assign(const std::vector<PlaneMoments>& regions);
-};
 
 /// A sample stands for the block of pixels around it: stride x stride, more at the right and lower edge. Its pixels
 /// that lie on the sample's plane take its label; then those of blocks that border on another label compare their own
@@ -30,8 +23,10 @@ class FullResolution {
              const InverseDepthParameters::Refinement& rule, int threads, std::vector<std::int32_t>& labels);
 
  private:
-  std::vector<float> across_, forward_;
-  LabelledPlanes planes_;
+  void takePlanes(const std::vector<PlaneMoments>& regions);
+
+  std::vector<float> across_, along_, forward_;  // rays
+  std::vector<PixelPlane> planes_;               // per label
 };
 
 }  // namespace epcc

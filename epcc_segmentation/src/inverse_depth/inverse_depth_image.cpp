@@ -148,7 +148,8 @@ void InverseDepthImage::sample(const InverseDepthImage& image, int every) {
   for (std::size_t r = 0; r < static_cast<std::size_t>(height); ++r) {
     const float* from = image.w.data() + samplePlace(r, stride, static_cast<std::size_t>(image.height)) * image_columns;
     float* to = w.data() + r * columns;
-    for (std::size_t c = 0; c < columns; ++c) to[c] = from[samplePlace(c, stride, image_columns)];
+    const float* next = from + samplePlace(0, stride, image_columns);
+    for (std::size_t c = 0; c < columns; ++c, next += stride) to[c] = *next;
   }
 }
 
