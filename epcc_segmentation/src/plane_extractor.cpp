@@ -137,6 +137,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   pipeline.refineBoundaries();  // S5, S6
   pipeline.rejectClutter();     // S7
   pipeline.joinOccluded();      // S8
+  pipeline.rejectThin();        // S9
   times_.regions = watch.lap();
   pipeline.labelPixels();
   moveLabels(frame, pipeline.labels(), result.labels);

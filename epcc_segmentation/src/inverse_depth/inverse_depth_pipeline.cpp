@@ -141,7 +141,10 @@ void InverseDepthPipeline::joinOccluded() {
   const RegionContacts contacts = findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
                                                        grid_parameters_.expert.refinement.max_residual, map_);
   epcc::mergeRegions(contacts, grid_parameters_, grid_sensor_, map_);
-  rejectThin(*image_, grid_parameters_, grid_sensor_, stride_, map_);
+}
+
+void InverseDepthPipeline::rejectThin() {
+  epcc::rejectThin(*image_, grid_parameters_, grid_sensor_, stride_, map_);
 }
 
 void InverseDepthPipeline::labelPixels() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inverse-depth mode, S1 to S8, with its memory.
+// The inverse-depth mode, S1 to S9, with its memory.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ class InverseDepthPipeline {
   /// For the frames to come; the memory is kept.
   void configure(const Parameters& parameters, const SensorModel& sensor);
 
-  /// Takes an image that was read; it must outlive the frame's steps. S1 to S8 work on a grid of its samples, or on the
+  /// Takes an image that was read; it must outlive the frame's steps. S1 to S9 work on a grid of its samples, or on the
   /// image itself, which is then weighed by the sensor model.
   void begin(InverseDepthImage& image);
   void growLines();         ///< S1
@@ -35,6 +35,7 @@ class InverseDepthPipeline {
   void refineBoundaries();  ///< S5, S6
   void rejectClutter();     ///< S7
   void joinOccluded();      ///< S8
+  void rejectThin();        ///< S9
   void labelPixels();       ///< from the samples to all pixels
 
   /// Row-major labels, 0 or index into the regions + 1; some regions may be empty. They are the caller's to take away.
@@ -57,7 +58,7 @@ class InverseDepthPipeline {
   SensorModel grid_sensor_;
   InverseDepthImage samples_;
   const InverseDepthImage* full_image_ = nullptr;
-  const InverseDepthImage* image_ = nullptr;          // that of S1 to S8
+  const InverseDepthImage* image_ = nullptr;          // that of S1 to S9
   std::array<DirectionalPlanes, 2> directions_;       // by columns, by rows
   std::array<std::vector<std::int32_t>, 2> rank_of_;  // per segment + 1: rank of its plane among all planes
   std::vector<std::int32_t> label_of_rank_;
