@@ -8,7 +8,7 @@
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "inverse_depth/inverse_depth_image.h"
-#include "inverse_depth/line_growing.h"
+#include "inverse_depth/line_strips.h"
 #include "inverse_depth/plane_growing.h"
 
 namespace epcc {
@@ -22,12 +22,16 @@ class DirectionalPlanes {
   /// A direction that is not active has no segments and no planes.
   void setActive(bool active);
   bool active() const { return active_; }
-  void growLines(const InverseDepthImage& image);   ///< S1
-  void growPlanes(const InverseDepthImage& image);  ///< S2
 
-  /// Per pixel, scan line by scan line: the segment, -1 none. Null if the direction is not active.
-  const std::int32_t* segmentOf() const { return active_ ? segment_of_.data() : nullptr; }
-  /// Per segment: its plane.
+  /// S1: makes room, then the strips are grown in any order.
+  void beginLines(const InverseDepthImage& image, const InverseDepthParameters& parameters);
+  int strips() const { return active_ ? lines_.strips() : 0; }
+  void growStrip(const InverseDepthImage& image, int strip, StripMemory& memory) { lines_.grow(image, strip, memory); }
+  /// S2
+  void growPlanes(const InverseDepthImage& image);
+
+  const LineStrips& lines() const { return lines_; }
+  /// Per segment, scan line by scan line: its plane.
   const std::vector<int>& planeOf() const { return plane_growing_.planeOf(); }
   /// Per plane: its pixels, 0 if it is too small.
   const std::vector<double>& planePoints() const { return plane_points_; }
@@ -36,11 +40,8 @@ class DirectionalPlanes {
   bool columns_;
   bool active_ = false;
   InverseDepthParameters::Planes parameters_;
-  LineGrowing line_growing_;
+  LineStrips lines_;
   PlaneGrowing plane_growing_;
-  std::vector<GrownLine> lines_;
-  std::vector<std::size_t> line_begin_;  // per scan line, into lines_; one more at the end
-  std::vector<std::int32_t> segment_of_;
   std::vector<double> plane_points_;
 };
 

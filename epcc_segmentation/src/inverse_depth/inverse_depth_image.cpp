@@ -11,17 +11,6 @@ namespace epcc {
 
 namespace {
 
-void transpose(const std::vector<float>& image, int width, int height, std::vector<float>& transposed) {
-  constexpr int kBlock = 32;  // both images stay in the cache
-  transposed.resize(image.size());
-  for (int row_block = 0; row_block < height; row_block += kBlock)
-    for (int column_block = 0; column_block < width; column_block += kBlock)
-      for (int column = column_block; column < std::min(column_block + kBlock, width); ++column)
-        for (int row = row_block; row < std::min(row_block + kBlock, height); ++row)
-          transposed[static_cast<std::size_t>(column) * height + row] =
-              image[static_cast<std::size_t>(row) * width + column];
-}
-
 /// Rows or columns without a point have no coordinate of their own: between seen ones it is interpolated, outside it
 /// goes on in their mean step, so that pixelPitch() is that of what was seen.
 void fillUnseen(const std::vector<double>& count, std::vector<double>& coordinate) {
@@ -161,8 +150,6 @@ void InverseDepthImage::weigh(const SensorModel& sensor, double place_variance) 
   for (std::size_t r = 0; r < static_cast<std::size_t>(height); ++r)
     weighInverseDepths(w.data() + r * columns, columns, noise, static_cast<float>(measured_scale[r]),
                        weight.data() + r * columns);
-  transpose(w, width, height, w_transposed);
-  transpose(weight, width, height, weight_transposed);
 }
 
 double pixelPitch(const std::vector<double>& coordinate) {

@@ -36,11 +36,9 @@ struct InverseDepthNoise {
 struct InverseDepthImage {
   int width = 0;
   int height = 0;
-  bool planar_rows = true;          ///< rows are planar sections too (false for spherical scans)
-  std::vector<float> w;             ///< row-major, 0 = invalid
-  std::vector<float> weight;        ///< 1/sigma_w^2 of each; meaningless where w is 0
-  std::vector<float> w_transposed;  ///< the same, column-major
-  std::vector<float> weight_transposed;
+  bool planar_rows = true;              ///< rows are planar sections too (false for spherical scans)
+  std::vector<float> w;                 ///< row-major, 0 = invalid
+  std::vector<float> weight;            ///< 1/sigma_w^2 of each; meaningless where w is 0
   std::vector<double> across, forward;  ///< per column
   std::vector<double> along;            ///< per row
   /// Per row: measured inverse depth = w * measured_scale; 1 for perspective frames, cos(elevation) for scans.
@@ -66,7 +64,7 @@ struct InverseDepthImage {
   void read(const DepthFrame& frame);
   /// Takes every stride-th row and column of an image, from stride / 2 on; at least one of each.
   void sample(const InverseDepthImage& image, int stride);
-  /// What the sensor says of it: noise and weights, and the transposed images. A value may come from anywhere within
+  /// What the sensor says of it: noise and weights. A value may come from anywhere within
   /// its pixel, the one that was measured: on an image that was sampled, place_variance is that of the original.
   void weigh(const SensorModel& sensor, double place_variance);
   void weigh(const SensorModel& sensor) { weigh(sensor, placeVariance()); }

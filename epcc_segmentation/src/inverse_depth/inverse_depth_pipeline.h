@@ -11,6 +11,7 @@
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "inverse_depth/boundary_refinement.h"
+#include "inverse_depth/direction_joining.h"
 #include "inverse_depth/directional_planes.h"
 #include "inverse_depth/full_resolution.h"
 #include "inverse_depth/inverse_depth_image.h"
@@ -47,10 +48,6 @@ class InverseDepthPipeline {
                     std::vector<LineSegment>& segments) const;
 
  private:
-  void inEachDirection(void (DirectionalPlanes::*step)(const InverseDepthImage&));
-  void rankPlanes();
-  void joinBlock(int row_begin, int row_end, int column_begin, int column_end);
-
   Parameters parameters_;
   SensorModel sensor_;
   int stride_ = 1;
@@ -59,9 +56,9 @@ class InverseDepthPipeline {
   InverseDepthImage samples_;
   const InverseDepthImage* full_image_ = nullptr;
   const InverseDepthImage* image_ = nullptr;          // that of S1 to S9
-  std::array<DirectionalPlanes, 2> directions_;       // by columns, by rows
-  std::array<std::vector<std::int32_t>, 2> rank_of_;  // per segment + 1: rank of its plane among all planes
-  std::vector<std::int32_t> label_of_rank_;
+  std::array<DirectionalPlanes, 2> directions_;  // by columns, by rows
+  std::vector<StripMemory> strip_memory_;        // per thread
+  DirectionJoining joining_;
   RegionMap map_;
   RefinementMemory refinement_;
   FullResolution full_resolution_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// S1: one pass over a scan line's inverse depths gives line segments.
+// S1: one pass over scan lines' inverse depths gives line segments, many scan lines at a time.
 #pragma once
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,89 +10,52 @@
 
 namespace epcc {
 
-/// Additive sums of the samples (x, w) of a line, x the ray coordinate along the scan line,
-/// each of weight 1/sigma_w^2.
-struct LineSums {
-  double n = 0.0;
-  double one = 0.0, x = 0.0, xx = 0.0, w = 0.0, xw = 0.0, ww = 0.0;
-
-  void add(double sample_x, double sample_w, double weight) {
-    const double weighted_x = weight * sample_x;
-    const double weighted_w = weight * sample_w;
-    n += 1.0;
-    one += weight;
-    x += weighted_x;
-    xx += weighted_x * sample_x;
-    w += weighted_w;
-    xw += weighted_x * sample_w;
-    ww += weighted_w * sample_w;
-  }
-  /// Sxx, Sxw and Sww times `one`: their ratios are those of the spreads, without a division.
-  double scaledSxx() const { return one * xx - x * x; }
-  double scaledSxw() const { return one * xw - x * w; }
-  double scaledSww() const { return one * ww - w * w; }
-  double meanX() const { return x / one; }
-  double meanW() const { return w / one; }
-  /// sigma_w^2 of a sample of mean weight.
-  double meanVariance() const { return n / one; }
-  double sxx() const { return xx - x * x / one; }
-  double sxw() const { return xw - x * w / one; }
-  double sww() const { return ww - w * w / one; }
-  double slope() const {
-    const double s = sxx();
-    return s > 0.0 ? sxw() / s : 0.0;
-  }
-  /// Spread of x in plain units: (weighted) variance of x times n.
-  double spread() const { return n * sxx() / one; }
-  double rss() const {
-    const double s = sxx();
-    return s > 0.0 ? std::fmax(0.0, sww() - sxw() * sxw() / s) : std::fmax(0.0, sww());
-  }
-};
-
-/// A line segment of one scan line: pixels first..last, but for the few rejected between them.
+/// A line segment of one scan line: pixels first..last, but for the few rejected between them. Statistics of its
+/// samples (x, w), x the ray coordinate along the scan line, each of weight 1/sigma_w^2.
 struct GrownLine {
-  int first = 0;
-  int last = 0;
-  LineSums sums;
+  std::int32_t first = 0;
+  std::int32_t last = 0;
+  std::int32_t n = 0;
+  float weight = 0.0f;  ///< sum of the weights
+  float mean_x = 0.0f, mean_w = 0.0f;
+  float sxx = 0.0f, sxw = 0.0f;  ///< about the means
 };
 
-/// Grows the lines of one scan line.
+/// Adjacent scan lines, side by side in memory, and the places of their results.
+struct ScanLines {
+  static constexpr int kCount =
+      32;  ///< at a time: two vectors of the widest unit, to hide the latency of the recursion
+
+  const float* w = nullptr;       ///< the first samples of all lines, 0 = invalid
+  const float* weight = nullptr;  ///< 1/sigma_w^2 of each, positive where w is
+  std::size_t pitch = 0;          ///< from a line's sample to its next, here and in `segment`
+  const float* x = nullptr;       ///< per sample: its ray coordinate
+  int length = 0;                 ///< samples of a line
+
+  std::int32_t* segment = nullptr;  ///< per sample: the number of its segment within its scan line, -1 none
+  GrownLine* lines = nullptr;       ///< `capacity` for each scan line
+  int capacity = 0;                 ///< see LineGrowing::mostLines()
+  std::int32_t* line_count = nullptr;
+};
+
+/// Grows the lines of scan lines. Keeps its memory.
 class LineGrowing {
  public:
   explicit LineGrowing(const InverseDepthParameters& parameters) { configure(parameters); }
   void configure(const InverseDepthParameters& parameters) {
-    k_max_ = parameters.line_k_max;
+    k_max_ = static_cast<float>(parameters.line_k_max);
     parameters_ = parameters.expert.lines;
   }
 
-  /// w: `count` inverse depths, 0 = invalid; weight: their 1/sigma_w^2; x: their ray coordinate. Segments are appended
-  /// to `lines`; segment_of[i] receives first_id + index of the segment or -1.
-  void grow(const float* w, const float* weight, const double* x, int count, std::int32_t first_id,
-            std::vector<GrownLine>& lines, std::int32_t* segment_of);
+  /// No scan line of so many samples has more segments: each takes min_samples of them.
+  int mostLines(int length) const { return length / parameters_.min_samples; }
+  /// Of ScanLines::kCount lines.
+  void grow(const ScanLines& scan_lines);
 
  private:
-  int extendActive(int position);
-  void pushOnBuffer(int position);
-  void startFromBuffer();
-  void emit();
-  void add(int position, LineSums& sums) const;
-
-  double k_max_ = 0.0;
+  float k_max_ = 0.0f;
   InverseDepthParameters::Lines parameters_;
-  // The scan line.
-  int count_ = 0;
-  const float* w_ = nullptr;
-  const float* weight_ = nullptr;
-  const double* x_ = nullptr;
-  // The state of Algorithm 1: the active line and the positions of the last rejected samples.
-  bool has_active_ = false;
-  GrownLine active_;
-  std::int32_t active_id_ = 0;
-  std::vector<int> buffer_;
-  // The results.
-  std::vector<GrownLine>* lines_ = nullptr;
-  std::int32_t* segment_of_ = nullptr;
+  std::vector<float> rejected_;  // weights of the last rejected samples
 };
 
 }  // namespace epcc

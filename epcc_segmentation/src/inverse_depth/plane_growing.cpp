@@ -3,19 +3,78 @@
 #include "inverse_depth/plane_growing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace epcc {
 
-PlaneMoments segmentMoments(const ScanLineRays& rays, const LineSums& s) {
-  PlaneMoments moments;
-  const Eigen::Matrix3d cross = rays.base * rays.axis.transpose();
-  moments.n = s.n;
-  moments.w_sum = s.n * s.meanW();
-  moments.rays = s.one * rays.base * rays.base.transpose() + s.x * (cross + cross.transpose()) +
-                 s.xx * rays.axis * rays.axis.transpose();
-  moments.rays_w = s.w * rays.base + s.xw * rays.axis;
-  moments.w_w = s.ww;
-  return moments;
+namespace {
+
+/// A segment as the comparison with a plane wants it: the line at mean_x +- h and the variances there.
+struct ComparedLine {
+  double mean_x, mean_w, slope;
+  double h2, h;       // half the length of a uniform line of this spread
+  double variance;    // sigma_w^2 of a sample
+  double prediction;  // V0 + V1 h^2
+
+  ComparedLine(const GrownLine& line, double pixels_per_line_sample, double sample_spread)
+      : mean_x(static_cast<double>(line.mean_x)), mean_w(static_cast<double>(line.mean_w)) {
+    const double n = line.n;
+    const double sxx = static_cast<double>(line.sxx);
+    variance = n / static_cast<double>(line.weight);
+    const double spread = variance * sxx;
+    slope = sxx > 0.0 ? static_cast<double>(line.sxw) / sxx : 0.0;
+    h2 = 3.0 * spread / n;
+    h = std::sqrt(h2);
+    const double v0 = variance * std::min(1.0, pixels_per_line_sample / n);
+    const double v1 = variance / (spread / pixels_per_line_sample + sample_spread);
+    prediction = v0 + v1 * h2;
+  }
+};
+
+}  // namespace
+
+// The adjugate over the determinant.
+SymmetricMatrix SymmetricMatrix::inverse() const {
+  SymmetricMatrix a;
+  a.ss = xx * ff - xf * xf;
+  a.sx = sf * xf - sx * ff;
+  a.sf = sx * xf - sf * xx;
+  const double scale = 1.0 / (ss * a.ss + sx * a.sx + sf * a.sf);
+  a.xx = (ss * ff - sf * sf) * scale;
+  a.xf = (sx * sf - ss * xf) * scale;
+  a.ff = (ss * xx - sx * sx) * scale;
+  a.ss *= scale;
+  a.sx *= scale;
+  a.sf *= scale;
+  return a;
+}
+
+void SegmentMoments::add(const ScanLineRays& at, const GrownLine& line) {
+  const double weight = static_cast<double>(line.weight);
+  const double mean_x = static_cast<double>(line.mean_x);
+  const double x = weight * mean_x;
+  const double w = weight * static_cast<double>(line.mean_w);
+  n += line.n;
+  rays.ss += weight * at.side * at.side;
+  rays.sx += x * at.side;
+  rays.sf += weight * at.side * at.forward;
+  rays.xx += static_cast<double>(line.sxx) + x * mean_x;
+  rays.xf += x * at.forward;
+  rays.ff += weight * at.forward * at.forward;
+  side_w += w * at.side;
+  x_w += static_cast<double>(line.sxw) + w * mean_x;
+  forward_w += w * at.forward;
+}
+
+void GrownPlane::fit() {
+  SymmetricMatrix a = moments.rays;
+  a.ss += ridge;
+  a.xx += ridge;
+  inverse = a.inverse();
+  q_side = inverse.ss * moments.side_w + inverse.sx * moments.x_w + inverse.sf * moments.forward_w;
+  q_x = inverse.sx * moments.side_w + inverse.xx * moments.x_w + inverse.xf * moments.forward_w;
+  q_forward = inverse.sf * moments.side_w + inverse.xf * moments.x_w + inverse.ff * moments.forward_w;
+  fitted = true;
 }
 
 void PlaneGrowing::configure(const InverseDepthParameters& parameters, const SensorModel& sensor) {
@@ -28,65 +87,74 @@ void PlaneGrowing::configure(const InverseDepthParameters& parameters, const Sen
 
 void PlaneGrowing::begin(double pixel_pitch) {
   sample_spread_ = std::pow(correlation_length_ * pixel_pitch, 2);
-  previous_.clear();
+  previous_count_ = 0;
   previous_begin_ = 0;
   plane_of_.clear();
   planes_.clear();
 }
 
-void PlaneGrowing::addLine(const ScanLineRays& rays, const GrownLine* lines, std::size_t count) {
+void PlaneGrowing::addLine(const ScanLineRays& rays, const GrownLine* lines, int count) {
   const std::size_t begin = plane_of_.size();
-  for (std::size_t k = 0; k < count; ++k) {
+  int candidate = 0;  // no segment before it overlaps this line or a later one
+  for (int k = 0; k < count; ++k) {
     const GrownLine& line = lines[k];
-    double best_mismatch = k_max_ * k_max_;
-    int best = -1;
-    for (std::size_t j = 0; j < previous_.size(); ++j) {
-      const int overlap = std::min(line.last, previous_[j].last) - std::max(line.first, previous_[j].first) + 1;
-      const int shorter = std::min(line.last - line.first, previous_[j].last - previous_[j].first) + 1;
-      if (overlap < parameters_.min_overlap_pixels || 2 * overlap < shorter) continue;
-      const int plane = plane_of_[previous_begin_ + j];
-      if (plane == best) continue;
-      const double m = mismatch(planes_[static_cast<std::size_t>(plane)], rays, line);
-      if (m >= best_mismatch) continue;
-      best_mismatch = m;
-      best = plane;
-    }
-    if (best < 0) {
-      best = static_cast<int>(planes_.size());
-      planes_.emplace_back();
-      const double w = line.sums.meanW();
-      planes_.back().ridge = pixels_per_sample_ / (4.0 * w * w);  // a weak prior: slopes up to about 4
-    }
+    while (candidate < previous_count_ && previous_[candidate].last < line.first) ++candidate;
+    int best = findPlane(rays, line, candidate);
+    if (best < 0) best = startPlane(line);
     GrownPlane& plane = planes_[static_cast<std::size_t>(best)];
-    plane.moments += segmentMoments(rays, line.sums);
-    plane.estimate = plane.moments.fit(plane.ridge);
+    plane.moments.add(rays, line);
+    plane.fitted = false;
     ++plane.segments;
     plane_of_.push_back(best);
   }
-  previous_.assign(lines, lines + count);
+  previous_ = lines;
+  previous_count_ = count;
   previous_begin_ = begin;
 }
 
-// T: the squared difference of line and plane at the ends of an equivalent uniform line, over its variance.
-double PlaneGrowing::mismatch(const GrownPlane& plane, const ScanLineRays& rays, const GrownLine& line) const {
-  const LineSums& s = line.sums;
-  const double sigma2 = s.meanVariance();
-  const double spread = s.spread();
-  const double h = std::sqrt(3.0 * spread / s.n);
-  const double v0 = sigma2 * std::min(1.0, pixels_per_line_sample_ / s.n);
-  const double v1 = sigma2 / (spread / pixels_per_line_sample_ + sample_spread_);
-  const double mean_x = s.meanX();
-  const double mean_w = s.meanW();
-  const double slope = s.slope();
-  double worst = 0.0;
-  for (const double offset : {-h, h}) {
-    const Eigen::Vector3d r = rays.base + (mean_x + offset) * rays.axis;
-    const double delta = mean_w + slope * offset - plane.estimate.at(r);
-    const double prediction = pixels_per_sample_ * r.dot(plane.estimate.inverse * r) + v0 + v1 * h * h;
-    const double variance = sigma2 + std::min(prediction, parameters_.max_prediction * sigma2);
-    worst = std::max(worst, delta * delta / variance);
+int PlaneGrowing::startPlane(const GrownLine& line) {
+  const auto w = static_cast<double>(line.mean_w);
+  planes_.emplace_back();
+  planes_.back().ridge = pixels_per_sample_ / (4.0 * w * w);  // a weak prior: slopes up to about 4
+  return static_cast<int>(planes_.size()) - 1;
+}
+
+// The plane of an overlapping segment of the previous line with the least T < k_max^2, -1 if there is none. T is the
+// squared difference of line and plane over its variance, at the worse end of an equivalent uniform line.
+int PlaneGrowing::findPlane(const ScanLineRays& rays, const GrownLine& line, int first_candidate) {
+  const double s = rays.side, f = rays.forward;
+  double least = k_max_ * k_max_;
+  int best = -1;
+  for (int j = first_candidate; j < previous_count_ && previous_[j].first <= line.last; ++j) {
+    const GrownLine& other = previous_[j];
+    const int overlap = std::min(line.last, other.last) - std::max(line.first, other.first) + 1;
+    const int shorter = std::min(line.last - line.first, other.last - other.first) + 1;
+    if (overlap < parameters_.min_overlap_pixels || 2 * overlap < shorter) continue;
+    const int index = plane_of_[previous_begin_ + static_cast<std::size_t>(j)];
+    if (index == best) continue;
+    GrownPlane& plane = planes_[static_cast<std::size_t>(index)];
+    if (!plane.fitted) plane.fit();
+
+    const ComparedLine c(line, pixels_per_line_sample_, sample_spread_);
+    // Difference and prediction variance r^T P r at mean_x + o, as polynomials of o.
+    const double difference = c.mean_w - (plane.q_side * s + plane.q_x * c.mean_x + plane.q_forward * f);
+    const double difference_change = (c.slope - plane.q_x) * c.h;
+    const SymmetricMatrix& p = plane.inverse;
+    const double half_linear = p.sx * s + p.xf * f + p.xx * c.mean_x;
+    const double constant =
+        p.ss * s * s + p.ff * f * f + 2.0 * p.sf * s * f + c.mean_x * (half_linear + p.sx * s + p.xf * f);
+    const double even = pixels_per_sample_ * (constant + p.xx * c.h2) + c.prediction;
+    const double odd = pixels_per_sample_ * 2.0 * half_linear * c.h;
+    const double most = parameters_.max_prediction * c.variance;
+    const double before = difference - difference_change, after = difference + difference_change;
+    const double before2 = before * before, after2 = after * after;
+    const double variance_before = c.variance + std::min(even - odd, most);
+    const double variance_after = c.variance + std::min(even + odd, most);
+    if (!(before2 < least * variance_before && after2 < least * variance_after)) continue;
+    least = std::max(before2 / variance_before, after2 / variance_after);
+    best = index;
   }
-  return worst;
+  return best;
 }
 
 }  // namespace epcc

@@ -65,10 +65,10 @@ struct GatheredSegment {
 
 }  // namespace
 
-void appendSegments(const DepthFrame& view, const SensorModel& sensor, const std::int32_t* segment_of,
+void appendSegments(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& segment_of,
                     const std::vector<std::int32_t>& labels, std::vector<LineSegment>& segments) {
   ScanLine line;
-  for (int column = 0; column < view.width(); ++column, segment_of += view.height()) {
+  for (int column = 0; column < view.width(); ++column) {
     readScanLine(view, sensor, column, line);
     GatheredSegment segment;
     const auto finish = [&] {
@@ -79,7 +79,7 @@ void appendSegments(const DepthFrame& view, const SensorModel& sensor, const std
     };
     std::int32_t current = -1;  // the samples of a segment follow each other, but for rejected ones between them
     for (const ScanSample& sample : line.samples) {
-      const std::int32_t id = segment_of[sample.position];
+      const std::int32_t id = segment_of.at(sample.position, column);
       if (id < 0) continue;
       if (id != current) finish();
       current = id;

@@ -2,6 +2,7 @@
 // The line segments of S1 in metres, with the labels that their pixels have in the end.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,9 +12,18 @@
 
 namespace epcc {
 
-/// Appends the segments of the view's columns. `segment_of` holds each pixel's segment, -1 none, column by column;
-/// `labels` are the final ones, in the order of the caller's arrays.
-void appendSegments(const DepthFrame& view, const SensorModel& sensor, const std::int32_t* segment_of,
+/// Each pixel's segment by its number within its column of a view, -1 none.
+struct SegmentNumbers {
+  const std::int32_t* numbers = nullptr;
+  std::size_t next_column = 0, next_row = 0;  ///< steps
+
+  std::int32_t at(int row, int column) const {
+    return numbers[static_cast<std::size_t>(row) * next_row + static_cast<std::size_t>(column) * next_column];
+  }
+};
+
+/// Appends the segments of the view's columns. `labels` are the final ones, in the order of the caller's arrays.
+void appendSegments(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& segment_of,
                     const std::vector<std::int32_t>& labels, std::vector<LineSegment>& segments);
 
 }  // namespace epcc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps S1, S2 and S5 of the inverse-depth mode and the moments, one by one.
+// The steps S2 and S5 of the inverse-depth mode and the moments, one by one.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -7,7 +7,6 @@
 
 #include "inverse_depth/boundary_refinement.h"
 #include "inverse_depth/inverse_depth_image.h"
-#include "inverse_depth/line_growing.h"
 #include "inverse_depth/plane_growing.h"
 #include "tests/epcc_segmentation/inverse_depth/region_fixture.h"
 
@@ -15,7 +14,6 @@ namespace {
 
 using epcc::GrownLine;
 using epcc::InverseDepthImage;
-using epcc::LineSums;
 using epcc::PlaneMoments;
 using epcc::SensorModel;
 
@@ -30,7 +28,7 @@ Eigen::Vector3d inverseDepthPlane(const Eigen::Vector4d& plane) {
 
 // ---- image ----
 
-TEST(InverseDepthImage, HoldsTheInverseDepthsTheRaysAndTheTranspose) {
+TEST(InverseDepthImage, HoldsTheInverseDepthsAndTheRays) {
   const auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(40, 30));
   const auto image = imageOf(room);
   for (int row = 0; row < 30; ++row)
@@ -40,7 +38,6 @@ TEST(InverseDepthImage, HoldsTheInverseDepthsTheRaysAndTheTranspose) {
                                      (row - room.camera.cy) / room.camera.fy, 1.0);
       ASSERT_LT((image.ray(row, column) - expected).norm(), 1e-12);
       ASSERT_FLOAT_EQ(image.w[pixel], 1.0f / room.depth[pixel]);
-      ASSERT_EQ(image.w[pixel], image.w_transposed[static_cast<std::size_t>(column) * 30 + row]);
       const double q_w = inverseDepthPlane(epcc::test::cornerPlanes()[room.labels[pixel] - 1]).dot(expected);
       ASSERT_NEAR(image.w[pixel], q_w, 1e-6);
     }
@@ -149,107 +146,75 @@ TEST(PlaneMoments, SlopeFactorGrowsWithTheAngleAndIsClipped) {
   EXPECT_NEAR(epcc::slopeFactor({100.0, 0.0, 1.0}, 0.5), 26.0, 1e-12);
 }
 
-TEST(LineSums, SegmentMomentsEqualBruteForceSums) {
-  const epcc::ScanLineRays rays{{0.3, 0.0, 1.0}, Eigen::Vector3d::UnitY()};
-  std::mt19937 generator(8);
-  std::uniform_real_distribution<double> uniform(0.2, 1.0);
-  LineSums sums;
-  PlaneMoments brute;
-  for (int i = 0; i < 50; ++i) {
-    const double x = 0.01 * i, w = uniform(generator), variance = uniform(generator);
-    sums.add(x, w, 1.0 / variance);
-    brute.add(rays.base + x * rays.axis, w, variance);
-  }
-  const auto moments = epcc::segmentMoments(rays, sums);
-  EXPECT_EQ(moments.n, brute.n);
-  EXPECT_LT((moments.rays - brute.rays).norm(), 1e-9);
-  EXPECT_LT((moments.rays_w - brute.rays_w).norm(), 1e-9);
-  EXPECT_NEAR(moments.w_w, brute.w_w, 1e-9);
-}
-
-// ---- S1 ----
-
-struct Grown {
-  std::vector<GrownLine> lines;
-  std::vector<std::int32_t> segment_of;
-};
-
-Grown grow(const std::vector<float>& w, double sigma_w) {
-  std::vector<double> x;
-  for (std::size_t i = 0; i < w.size(); ++i) x.push_back(0.005 * static_cast<double>(i));
-  const std::vector<float> weight(w.size(), static_cast<float>(1.0 / (sigma_w * sigma_w)));
-  Grown grown;
-  grown.segment_of.resize(w.size());
-  epcc::LineGrowing growing{epcc::InverseDepthParameters()};
-  growing.grow(w.data(), weight.data(), x.data(), static_cast<int>(w.size()), 7, grown.lines, grown.segment_of.data());
-  return grown;
-}
-
-std::vector<float> ramp(int count, double start, double slope) {
-  std::vector<float> w;
-  for (int i = 0; i < count; ++i) w.push_back(static_cast<float>(start + slope * i));
-  return w;
-}
-
-TEST(LineGrowing, ARampIsOneLineThatOwnsEveryPixel) {
-  const auto grown = grow(ramp(100, 0.5, 0.001), 1e-4);
-  ASSERT_EQ(grown.lines.size(), 1u);
-  EXPECT_EQ(grown.lines[0].first, 0);
-  EXPECT_EQ(grown.lines[0].last, 99);
-  EXPECT_EQ(grown.lines[0].sums.n, 100.0);
-  EXPECT_NEAR(grown.lines[0].sums.slope(), 0.2, 1e-5);
-  for (const auto id : grown.segment_of) EXPECT_EQ(id, 7);
-}
-
-TEST(LineGrowing, AStepAndACornerStartNewLines) {
-  auto w = ramp(40, 0.5, 0.0);
-  for (const float value : ramp(40, 0.55, 0.0)) w.push_back(value);
-  for (const float value : ramp(40, 0.55, 0.002)) w.push_back(value);
-  const auto grown = grow(w, 5e-4);
-  ASSERT_EQ(grown.lines.size(), 3u);
-  EXPECT_EQ(grown.lines[0].last, 39);
-  EXPECT_EQ(grown.lines[1].first, 40);
-  EXPECT_NEAR(grown.lines[2].first, 80, 3);
-}
-
-TEST(LineGrowing, UpToFiveMissingPixelsAreBridgedSixAreNot) {
-  for (const int gap : {5, 6}) {
-    auto w = ramp(100, 0.5, 0.0);
-    for (int i = 50; i < 50 + gap; ++i) w[static_cast<std::size_t>(i)] = 0.0f;
-    EXPECT_EQ(grow(w, 1e-4).lines.size(), gap == 5 ? 1u : 2u) << gap;
-  }
-}
-
-TEST(LineGrowing, OutliersBelongToNoLine) {
-  auto w = ramp(100, 0.5, 0.0);
-  for (int i = 10; i < 100; i += 13) w[static_cast<std::size_t>(i)] = 0.9f;
-  const auto grown = grow(w, 1e-4);
-  ASSERT_EQ(grown.lines.size(), 1u);
-  for (int i = 10; i < 100; i += 13) EXPECT_EQ(grown.segment_of[static_cast<std::size_t>(i)], -1);
-}
-
-TEST(LineGrowing, FiveSamplesAreNoLine) {
-  EXPECT_TRUE(grow(ramp(5, 0.5, 0.0), 1e-4).lines.empty());
-  EXPECT_EQ(grow(ramp(6, 0.5, 0.0), 1e-4).lines.size(), 1u);
-  EXPECT_TRUE(grow({}, 1e-4).lines.empty());
-}
-
 // ---- S2 ----
 
-GrownLine lineOf(double w, int first, int last, double sigma_w) {
+/// The line of samples of the given weights.
+GrownLine lineOf(int first, const std::vector<double>& x, const std::vector<double>& w,
+                 const std::vector<double>& weight) {
+  double sum = 0.0, mean_x = 0.0, mean_w = 0.0, sxx = 0.0, sxw = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sum += weight[i];
+    mean_x += weight[i] * x[i];
+    mean_w += weight[i] * w[i];
+  }
+  mean_x /= sum;
+  mean_w /= sum;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sxx += weight[i] * (x[i] - mean_x) * (x[i] - mean_x);
+    sxw += weight[i] * (x[i] - mean_x) * (w[i] - mean_w);
+  }
   GrownLine line;
   line.first = first;
-  line.last = last;
-  for (int i = first; i <= last; ++i) line.sums.add(0.005 * i, w, 1.0 / (sigma_w * sigma_w));
+  line.n = static_cast<int>(x.size());
+  line.last = first + line.n - 1;
+  line.weight = static_cast<float>(sum);
+  line.mean_x = static_cast<float>(mean_x);
+  line.mean_w = static_cast<float>(mean_w);
+  line.sxx = static_cast<float>(sxx);
+  line.sxw = static_cast<float>(sxw);
   return line;
+}
+
+TEST(PlaneGrowing, PlanesFitTheSamplesOfTheirSegments) {
+  std::mt19937 generator(8);
+  std::uniform_real_distribution<double> uniform(0.2, 1.0);
+  PlaneMoments brute;
+  epcc::GrownPlane plane;
+  plane.ridge = 3.0;
+  for (const double side : {0.3, -0.2, 0.1}) {
+    const double forward = std::sqrt(1.0 - side * side);  // as in a spherical scan
+    std::vector<double> x, w, weight;
+    for (int i = 0; i < 50; ++i) {
+      x.push_back(0.01 * i);
+      w.push_back(uniform(generator));
+      weight.push_back(uniform(generator));
+      brute.add(Eigen::Vector3d(side, x.back(), forward), w.back(), 1.0 / weight.back());
+    }
+    plane.moments.add({side, forward}, lineOf(0, x, w, weight));
+  }
+  EXPECT_EQ(plane.moments.n, brute.n);
+  plane.fit();
+  const auto expected = brute.fit(plane.ridge);
+  const epcc::SymmetricMatrix& m = plane.inverse;
+  Eigen::Matrix3d inverse;
+  inverse << m.ss, m.sx, m.sf, m.sx, m.xx, m.xf, m.sf, m.xf, m.ff;
+  EXPECT_LT((inverse - expected.inverse).norm(), 1e-5 * expected.inverse.norm());
+  EXPECT_LT((Eigen::Vector3d(plane.q_side, plane.q_x, plane.q_forward) - expected.q).norm(), 1e-5 * expected.q.norm());
+}
+
+GrownLine lineOf(double w, int first, int last, double sigma_w) {
+  const auto count = static_cast<std::size_t>(last - first + 1);
+  std::vector<double> x;
+  for (int i = first; i <= last; ++i) x.push_back(0.005 * i);
+  return lineOf(first, x, std::vector<double>(count, w), std::vector<double>(count, 1.0 / (sigma_w * sigma_w)));
 }
 
 std::vector<int> planesOf(const std::vector<std::vector<GrownLine>>& scan_lines) {
   epcc::PlaneGrowing growing(epcc::InverseDepthParameters(), kWhite);
   growing.begin(0.005);
   for (std::size_t i = 0; i < scan_lines.size(); ++i)
-    growing.addLine({{0.005 * static_cast<double>(i), 0.0, 1.0}, Eigen::Vector3d::UnitY()}, scan_lines[i].data(),
-                    scan_lines[i].size());
+    growing.addLine({0.005 * static_cast<double>(i), 1.0}, scan_lines[i].data(),
+                    static_cast<int>(scan_lines[i].size()));
   return growing.planeOf();
 }
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Columns lie side by side in the image, rows are put so; a strip that is not full is filled up with invalid samples.
+#include "inverse_depth/line_strips.h"
+
+#include <algorithm>
+
+#include "vector/transpose.h"
+
+namespace epcc {
+
+namespace {
+
+constexpr std::size_t kPitch = ScanLines::kCount;
+
+void copyColumns(const float* from, std::size_t pitch, int count, int length, float* to) {
+  for (int i = 0; i < length; ++i, from += pitch, to += kPitch) std::copy(from, from + count, to);
+}
+
+}  // namespace
+
+void LineStrips::begin(const InverseDepthImage& image, const InverseDepthParameters& parameters) {
+  scan_lines_ = columns_ ? image.width : image.height;
+  length_ = columns_ ? image.height : image.width;
+  capacity_ = LineGrowing(parameters).mostLines(length_);
+  const std::vector<double>& x = columns_ ? image.along : image.across;
+  x_.resize(x.size());
+  std::transform(x.begin(), x.end(), x_.begin(), [](double value) { return static_cast<float>(value); });
+  lines_.resize(static_cast<std::size_t>(scan_lines_) * static_cast<std::size_t>(capacity_));
+  line_count_.resize(static_cast<std::size_t>(strips()) * ScanLines::kCount);
+  segment_of_.resize(image.w.size());
+}
+
+void LineStrips::grow(const InverseDepthImage& image, int strip, StripMemory& memory) {
+  const int first = strip * ScanLines::kCount;
+  const int count = std::min(ScanLines::kCount, scan_lines_ - first);
+  const auto width = static_cast<std::size_t>(image.width);
+  const std::size_t start = static_cast<std::size_t>(first) * (columns_ ? 1 : width);
+  const bool in_place = columns_ && count == ScanLines::kCount;
+  ScanLines scan_lines;
+  scan_lines.x = x_.data();
+  scan_lines.length = length_;
+  scan_lines.lines = lines_.data() + static_cast<std::size_t>(first) * static_cast<std::size_t>(capacity_);
+  scan_lines.capacity = capacity_;
+  scan_lines.line_count = line_count_.data() + first;
+  if (in_place) {
+    scan_lines.w = image.w.data() + start;
+    scan_lines.weight = image.weight.data() + start;
+    scan_lines.pitch = width;
+    scan_lines.segment = segment_of_.data() + start;
+    memory.growing.grow(scan_lines);
+    return;
+  }
+
+  const std::size_t samples = static_cast<std::size_t>(length_) * kPitch;
+  memory.w.resize(samples);
+  memory.weight.resize(samples);
+  memory.segment.resize(samples);
+  if (count < ScanLines::kCount) {
+    std::fill(memory.w.begin(), memory.w.end(), 0.0f);
+    std::fill(memory.weight.begin(), memory.weight.end(), 1.0f);
+  }
+  if (columns_) {
+    copyColumns(image.w.data() + start, width, count, length_, memory.w.data());
+    copyColumns(image.weight.data() + start, width, count, length_, memory.weight.data());
+  } else {
+    transpose(image.w.data() + start, width, count, length_, memory.w.data(), kPitch);
+    transpose(image.weight.data() + start, width, count, length_, memory.weight.data(), kPitch);
+  }
+  scan_lines.w = memory.w.data();
+  scan_lines.weight = memory.weight.data();
+  scan_lines.pitch = kPitch;
+  scan_lines.segment = memory.segment.data();
+  memory.growing.grow(scan_lines);
+
+  std::int32_t* segment_of = segment_of_.data() + start;
+  if (columns_)
+    for (std::size_t at = 0; at < samples; at += kPitch, segment_of += width)
+      std::copy_n(memory.segment.data() + at, count, segment_of);
+  else
+    transpose(memory.segment.data(), kPitch, length_, count, segment_of, width);
+}
+
+}  // namespace epcc
