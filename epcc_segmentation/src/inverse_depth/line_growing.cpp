@@ -29,9 +29,8 @@ constexpr int kLanes = static_cast<int>(hn::MaxLanes(Floats()));
 struct LineStates {
   Float weight, mean_x, mean_w, sxx, sxw;
   Int n;
-  Int id;   // of the active line, or of the last; -1 before the first
-  Int end;  // where the line ends if no sample is accepted before
-  Mask active;
+  Int id;          // of the active line, or of the last; -1 before the first
+  Int end;         // where the line ends if no sample is accepted before: it is active up to there
   Int buffered;    // rejected samples since the last accepted one or the last gap
   Int buffer_end;  // where they are forgotten
 };
@@ -48,8 +47,7 @@ HWY_INLINE LineStates noLines() {
   const Float zero = hn::Zero(Floats());
   const Int none = hn::Set(Ints(), -1);
   const Int nothing = hn::Zero(Ints());
-  return {hn::Set(Floats(), 1.0f), zero,    zero,   zero, zero, nothing, none, nothing,
-          hn::Gt(zero, zero),      nothing, nothing};
+  return {hn::Set(Floats(), 1.0f), zero, zero, zero, zero, nothing, none, nothing, nothing, nothing};
 }
 
 // One sample of each line. It is accepted if (w - mean_w - slope (x - mean_x))^2 <= k^2 sigma_w^2, times
@@ -65,14 +63,14 @@ HWY_INLINE Mask addSample(LineStates& s, const LineRule& rule, int position, flo
   const Int now = hn::Set(di, position);
   const Int next_end = hn::Set(di, position + rule.reach + 1);
   const Mask valid = hn::Gt(w, hn::Zero(d));
-  s.active = hn::And(s.active, isGreater(s.end, now));
+  const Mask active = isGreater(s.end, now);
 
   const Float dx = hn::Sub(hn::Set(d, sample_x), s.mean_x);
   const Float dw = hn::Sub(w, s.mean_w);
   const Float residual = hn::Sub(hn::Mul(dw, s.sxx), hn::Mul(dx, s.sxw));
   const Float limit = hn::Mul(hn::Set(d, rule.k2), hn::Mul(s.sxx, s.sxx));
   const Mask fits = hn::Le(hn::Mul(hn::Mul(residual, residual), t), limit);
-  const Mask accepted = hn::And(hn::And(s.active, valid), fits);
+  const Mask accepted = hn::And(hn::And(active, valid), fits);
 
   const Float sum = hn::Add(s.weight, t);
   const Float ratio = hn::Div(t, sum);  // does not wait for the test
@@ -98,13 +96,15 @@ HWY_INLINE Mask addSample(LineStates& s, const LineRule& rule, int position, flo
   return hn::And(rejected, isGreater(s.buffered, hn::Set(di, rule.min_samples - 1)));
 }
 
-/// Scan lines whose lanes are in one vector, with the first pixels of their active lines.
+/// Scan lines whose lanes are in one vector. The states are here while lines start and end.
 struct LaneGroup {
-  const ScanLines& in;
-  const LineRule& rule;
+  ScanLines in;
+  LineRule rule;
   float* rejected;  // ring of kCount weights per position
   int lane;         // the first one
-  HWY_ALIGN std::int32_t first[kLanes];
+  HWY_ALIGN float weight[kLanes], mean_x[kLanes], mean_w[kLanes], sxx[kLanes], sxw[kLanes];
+  HWY_ALIGN std::int32_t n[kLanes], id[kLanes], end[kLanes], buffered[kLanes];
+  HWY_ALIGN std::int32_t first[kLanes];  // pixels of the active lines
 
   float* rejectedAt(int position) const {
     return rejected + static_cast<std::size_t>(position & rule.ring_mask) * ScanLines::kCount + lane;
@@ -114,112 +114,142 @@ struct LaneGroup {
   }
 };
 
-HWY_INLINE unsigned bitsOf(Mask mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Floats(), mask, bytes);
-  return bytes[0] | (static_cast<unsigned>(bytes[1]) << 8);
+HWY_INLINE void save(const LineStates& s, LaneGroup& group) {
+  const Floats d;
+  const Ints di;
+  hn::Store(s.weight, d, group.weight);
+  hn::Store(s.mean_x, d, group.mean_x);
+  hn::Store(s.mean_w, d, group.mean_w);
+  hn::Store(s.sxx, d, group.sxx);
+  hn::Store(s.sxw, d, group.sxw);
+  hn::Store(s.n, di, group.n);
+  hn::Store(s.id, di, group.id);
+  hn::Store(s.end, di, group.end);
+  hn::Store(s.buffered, di, group.buffered);
+}
+
+HWY_INLINE void load(const LaneGroup& group, LineStates& s) {
+  const Floats d;
+  const Ints di;
+  s.weight = hn::Load(d, group.weight);
+  s.mean_x = hn::Load(d, group.mean_x);
+  s.mean_w = hn::Load(d, group.mean_w);
+  s.sxx = hn::Load(d, group.sxx);
+  s.sxw = hn::Load(d, group.sxw);
+  s.n = hn::Load(di, group.n);
+  s.id = hn::Load(di, group.id);
+  s.end = hn::Load(di, group.end);
+  s.buffered = hn::Load(di, group.buffered);
+}
+
+HWY_INLINE void replace(Mask mask, Float value, float* values) {
+  hn::Store(hn::IfThenElse(mask, value, hn::Load(Floats(), values)), Floats(), values);
+}
+
+HWY_INLINE void replace(Mask mask, Int value, std::int32_t* values) {
+  hn::Store(select(mask, value, hn::Load(Ints(), values)), Ints(), values);
 }
 
 // Writes the last line of each given lane that has had one.
-HWY_INLINE void emitLines(const LaneGroup& group, const LineStates& s, Mask which) {
-  const Floats d;
+HWY_INLINE void emitLines(const LaneGroup& group, Mask which) {
   const Ints di;
-  unsigned lanes = bitsOf(hn::And(which, isGreater(s.id, hn::Set(di, -1))));
-  if (lanes == 0) return;
-  HWY_ALIGN float weight[kLanes], mean_x[kLanes], mean_w[kLanes], sxx[kLanes], sxw[kLanes];
-  HWY_ALIGN std::int32_t n[kLanes], id[kLanes], end[kLanes];
-  hn::Store(s.weight, d, weight);
-  hn::Store(s.mean_x, d, mean_x);
-  hn::Store(s.mean_w, d, mean_w);
-  hn::Store(s.sxx, d, sxx);
-  hn::Store(s.sxw, d, sxw);
-  hn::Store(s.n, di, n);
-  hn::Store(s.id, di, id);
-  hn::Store(s.end, di, end);
-  for (; lanes != 0; lanes &= lanes - 1) {
+  const Mask any_yet = isGreater(hn::Load(di, group.id), hn::Set(di, -1));
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Floats(), hn::And(which, any_yet), bytes);
+  GrownLine* lines =
+      group.in.lines + static_cast<std::size_t>(group.lane) * static_cast<std::size_t>(group.in.capacity);
+  for (unsigned lanes = bytes[0] | (static_cast<unsigned>(bytes[1]) << 8); lanes != 0; lanes &= lanes - 1) {
     const auto k = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
-    const std::size_t scan_line = static_cast<std::size_t>(group.lane) + k;
-    GrownLine& line =
-        group.in.lines[scan_line * static_cast<std::size_t>(group.in.capacity) + static_cast<std::size_t>(id[k])];
+    GrownLine& line = lines[k * static_cast<std::size_t>(group.in.capacity) + static_cast<std::size_t>(group.id[k])];
     line.first = group.first[k];
-    line.last = end[k] - group.rule.reach - 1;
-    line.n = n[k];
-    line.weight = weight[k];
-    line.mean_x = mean_x[k];
-    line.mean_w = mean_w[k];
-    line.sxx = sxx[k];
-    line.sxw = sxw[k];
+    line.last = group.end[k] - group.rule.reach - 1;
+    line.n = group.n[k];
+    line.weight = group.weight[k];
+    line.mean_x = group.mean_x[k];
+    line.mean_w = group.mean_w[k];
+    line.sxx = group.sxx[k];
+    line.sxw = group.sxw[k];
   }
 }
 
 // The last min_samples rejected samples start a line of their own if they lie on one: if RSS <= (n - 2) k^2, times Sxx.
-HWY_NOINLINE void startLines(LaneGroup& group, int position, Mask full, LineStates& s) {
+HWY_NOINLINE void startLines(int position, Mask full, LaneGroup& group) {
   const Floats d;
   const Ints di;
-  const ScanLines& in = group.in;
+  const ScanLines in = group.in;
+  const LineRule rule = group.rule;
   const Float zero = hn::Zero(d);
   const Int none = hn::Zero(di);
   const Float w_now = hn::LoadU(d, in.w + group.at(position));
   const float x_now = in.x[position];
-  // Sums about the present sample, backwards until every full lane has its samples.
+  // Sums about the present sample, backwards until every full lane has its samples: seldom further than those of its
+  // number that came last.
   Float one = zero, sx = zero, sw = zero, xx = zero, xw = zero, ww = zero;
   Int first = none;
-  Int missing = select(full, hn::Set(di, group.rule.min_samples), none);
-  int oldest = position;
-  for (;; --oldest) {
-    const Float weight = hn::LoadU(d, group.rejectedAt(oldest));
-    const Mask used = hn::And(hn::Gt(weight, zero), isGreater(missing, none));
-    const Float t = hn::IfThenElseZero(used, weight);
-    const Float dx = hn::Set(d, in.x[oldest] - x_now);
-    const Float dw = hn::Sub(hn::LoadU(d, in.w + group.at(oldest)), w_now);
-    const Float tx = hn::Mul(t, dx);
-    const Float tw = hn::Mul(t, dw);
-    one = hn::Add(one, t);
-    sx = hn::Add(sx, tx);
-    sw = hn::Add(sw, tw);
-    xx = hn::Add(xx, hn::Mul(tx, dx));
-    xw = hn::Add(xw, hn::Mul(tx, dw));
-    ww = hn::Add(ww, hn::Mul(tw, dw));
-    first = select(used, hn::Set(di, oldest), first);
-    missing = select(used, hn::Sub(missing, hn::Set(di, 1)), missing);
-    if (hn::AllFalse(d, isGreater(missing, none))) break;
-  }
+  Int missing = select(full, hn::Set(di, rule.min_samples), none);
+  int oldest = position + 1;
+  do {
+    const int samples = oldest > position ? rule.min_samples : 1;
+    for (int k = 0; k < samples; ++k) {
+      --oldest;
+      const Float weight = hn::LoadU(d, group.rejectedAt(oldest));
+      const Mask used = hn::And(hn::Gt(weight, zero), isGreater(missing, none));
+      const Float t = hn::IfThenElseZero(used, weight);
+      const Float dx = hn::Set(d, in.x[oldest] - x_now);
+      const Float dw = hn::Sub(hn::LoadU(d, in.w + group.at(oldest)), w_now);
+      const Float tx = hn::Mul(t, dx);
+      const Float tw = hn::Mul(t, dw);
+      one = hn::Add(one, t);
+      sx = hn::Add(sx, tx);
+      sw = hn::Add(sw, tw);
+      xx = hn::Add(xx, hn::Mul(tx, dx));
+      xw = hn::Add(xw, hn::Mul(tx, dw));
+      ww = hn::Add(ww, hn::Mul(tw, dw));
+      first = select(used, hn::Set(di, oldest), first);
+      missing = select(used, hn::Sub(missing, hn::Set(di, 1)), missing);
+    }
+  } while (!hn::AllFalse(d, isGreater(missing, none)));
   const Float mx = hn::Div(sx, one);
   const Float mw = hn::Div(sw, one);
   const Float sxx = hn::Sub(xx, hn::Mul(sx, mx));
   const Float sxw = hn::Sub(xw, hn::Mul(sx, mw));
   const Float sww = hn::Sub(ww, hn::Mul(sw, mw));
   const Float rss = hn::Sub(hn::Mul(sww, sxx), hn::Mul(sxw, sxw));
-  const Mask line = hn::Le(rss, hn::Mul(hn::Set(d, group.rule.max_rss), sxx));
+  const Mask line = hn::Le(rss, hn::Mul(hn::Set(d, rule.max_rss), sxx));
   const Mask spread = hn::Gt(sxx, hn::Mul(hn::Set(d, 1e-12f), one));  // one point over and over is no line
   const Mask started = hn::And(full, hn::And(line, spread));
   if (hn::AllFalse(d, started)) return;
 
-  emitLines(group, s, started);
-  const Int one_more = hn::Add(s.id, hn::Set(di, 1));
-  s.weight = hn::IfThenElse(started, one, s.weight);
-  s.mean_x = hn::IfThenElse(started, hn::Add(hn::Set(d, x_now), mx), s.mean_x);
-  s.mean_w = hn::IfThenElse(started, hn::Add(w_now, mw), s.mean_w);
-  s.sxx = hn::IfThenElse(started, sxx, s.sxx);
-  s.sxw = hn::IfThenElse(started, sxw, s.sxw);
-  s.n = select(started, hn::Set(di, group.rule.min_samples), s.n);
-  s.id = select(started, one_more, s.id);
-  s.end = select(started, hn::Set(di, position + group.rule.reach + 1), s.end);
-  s.active = hn::Or(s.active, started);
-  s.buffered = select(started, none, s.buffered);
-  first = select(started, first, hn::Load(di, group.first));
-  hn::Store(first, di, group.first);
+  emitLines(group, started);
+  const Int id = hn::Add(hn::Load(di, group.id), hn::Set(di, 1));
+  replace(started, one, group.weight);
+  replace(started, hn::Add(hn::Set(d, x_now), mx), group.mean_x);
+  replace(started, hn::Add(w_now, mw), group.mean_w);
+  replace(started, sxx, group.sxx);
+  replace(started, sxw, group.sxw);
+  replace(started, hn::Set(di, rule.min_samples), group.n);
+  replace(started, id, group.id);
+  replace(started, hn::Set(di, position + rule.reach + 1), group.end);
+  replace(started, none, group.buffered);
+  replace(started, first, group.first);
   for (int k = position; k >= oldest; --k) {
     std::int32_t* segment = in.segment + group.at(k);
-    const Mask in_line = hn::And(hn::Gt(hn::LoadU(d, group.rejectedAt(k)), zero), isGreater(hn::Set(di, k + 1), first));
-    hn::StoreU(select(hn::And(started, in_line), s.id, hn::LoadU(di, segment)), di, segment);
+    const Mask later = isGreater(hn::Set(di, k + 1), first);
+    const Mask used = hn::And(later, hn::Gt(hn::LoadU(d, group.rejectedAt(k)), zero));
+    hn::StoreU(select(hn::And(started, used), id, hn::LoadU(di, segment)), di, segment);
   }
 }
 
 // Two vectors of scan lines, from their first sample to their last.
-HWY_INLINE void growLanes(const ScanLines& in, const LineRule& rule, int lane, float* rejected) {
-  LaneGroup group_a{in, rule, rejected, lane, {}};
-  LaneGroup group_b{in, rule, rejected, lane + kLanes, {}};
+HWY_INLINE void growLanes(const ScanLines& all, const LineRule& the_rule, int lane, float* rejected) {
+  const ScanLines in = all;  // copies that no result can change
+  const LineRule rule = the_rule;
+  LaneGroup group_a{}, group_b{};
+  group_a.in = group_b.in = in;
+  group_a.rule = group_b.rule = rule;
+  group_a.rejected = group_b.rejected = rejected;
+  group_a.lane = lane;
+  group_b.lane = lane + kLanes;
   LineStates a = noLines();
   LineStates b = noLines();
   for (int i = 0; i < in.length; ++i) {
@@ -230,17 +260,23 @@ HWY_INLINE void growLanes(const ScanLines& in, const LineRule& rule, int lane, f
     const Mask full_b =
         addSample(b, rule, i, in.x[i], in.w + at_b, in.weight + at_b, rejected_at + kLanes, in.segment + at_b);
     if (HWY_LIKELY(hn::AllFalse(Floats(), hn::Or(full_a, full_b)))) continue;
-    LineStates in_memory = a;  // copies, so that the states themselves stay in registers
-    if (!hn::AllFalse(Floats(), full_a)) startLines(group_a, i, full_a, in_memory);
-    a = in_memory;
-    in_memory = b;
-    if (!hn::AllFalse(Floats(), full_b)) startLines(group_b, i, full_b, in_memory);
-    b = in_memory;
+    if (!hn::AllFalse(Floats(), full_a)) {
+      save(a, group_a);
+      startLines(i, full_a, group_a);
+      load(group_a, a);
+    }
+    if (!hn::AllFalse(Floats(), full_b)) {
+      save(b, group_b);
+      startLines(i, full_b, group_b);
+      load(group_b, b);
+    }
   }
-  const Mask all = hn::Eq(hn::Zero(Floats()), hn::Zero(Floats()));
+  const Mask every = hn::Eq(hn::Zero(Floats()), hn::Zero(Floats()));
   const Int one = hn::Set(Ints(), 1);
-  emitLines(group_a, a, all);
-  emitLines(group_b, b, all);
+  save(a, group_a);
+  save(b, group_b);
+  emitLines(group_a, every);
+  emitLines(group_b, every);
   hn::StoreU(hn::Add(a.id, one), Ints(), in.line_count + lane);
   hn::StoreU(hn::Add(b.id, one), Ints(), in.line_count + lane + kLanes);
 }
@@ -268,8 +304,8 @@ void LineGrowing::grow(const ScanLines& scan_lines) {
   int ring = 1;
   while (ring < longest) ring *= 2;
   rule.ring_mask = ring - 1;
-  rejected_.resize(std::max(rejected_.size(), static_cast<std::size_t>(ring) * ScanLines::kCount));
-  EPCC_KERNEL(growLines)(scan_lines, rule, rejected_.data());
+  rejected_.resize(std::max(rejected_.size(), static_cast<std::size_t>(ring)));
+  EPCC_KERNEL(growLines)(scan_lines, rule, rejected_.front().values);
 }
 
 }  // namespace epcc

@@ -38,6 +38,12 @@ struct ScanLines {
   std::int32_t* line_count = nullptr;
 };
 
+/// A value of each of ScanLines::kCount lines, aligned for any vector.
+template <typename T>
+struct alignas(64) ValuesOfLines {
+  T values[ScanLines::kCount];
+};
+
 /// Grows the lines of scan lines. Keeps its memory.
 class LineGrowing {
  public:
@@ -55,7 +61,7 @@ class LineGrowing {
  private:
   float k_max_ = 0.0f;
   InverseDepthParameters::Lines parameters_;
-  std::vector<float> rejected_;  // weights of the last rejected samples
+  std::vector<ValuesOfLines<float>> rejected_;  // weights of the last rejected samples
 };
 
 }  // namespace epcc

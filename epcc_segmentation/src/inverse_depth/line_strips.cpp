@@ -51,33 +51,36 @@ void LineStrips::grow(const InverseDepthImage& image, int strip, StripMemory& me
     return;
   }
 
-  const std::size_t samples = static_cast<std::size_t>(length_) * kPitch;
+  const auto samples = static_cast<std::size_t>(std::max(1, length_));
   memory.w.resize(samples);
   memory.weight.resize(samples);
   memory.segment.resize(samples);
+  float* w = memory.w.front().values;
+  float* weight = memory.weight.front().values;
+  std::int32_t* segment = memory.segment.front().values;
   if (count < ScanLines::kCount) {
-    std::fill(memory.w.begin(), memory.w.end(), 0.0f);
-    std::fill(memory.weight.begin(), memory.weight.end(), 1.0f);
+    std::fill(w, w + samples * kPitch, 0.0f);
+    std::fill(weight, weight + samples * kPitch, 1.0f);
   }
   if (columns_) {
-    copyColumns(image.w.data() + start, width, count, length_, memory.w.data());
-    copyColumns(image.weight.data() + start, width, count, length_, memory.weight.data());
+    copyColumns(image.w.data() + start, width, count, length_, w);
+    copyColumns(image.weight.data() + start, width, count, length_, weight);
   } else {
-    transpose(image.w.data() + start, width, count, length_, memory.w.data(), kPitch);
-    transpose(image.weight.data() + start, width, count, length_, memory.weight.data(), kPitch);
+    transpose(image.w.data() + start, width, count, length_, w, kPitch);
+    transpose(image.weight.data() + start, width, count, length_, weight, kPitch);
   }
-  scan_lines.w = memory.w.data();
-  scan_lines.weight = memory.weight.data();
+  scan_lines.w = w;
+  scan_lines.weight = weight;
   scan_lines.pitch = kPitch;
-  scan_lines.segment = memory.segment.data();
+  scan_lines.segment = segment;
   memory.growing.grow(scan_lines);
 
   std::int32_t* segment_of = segment_of_.data() + start;
   if (columns_)
-    for (std::size_t at = 0; at < samples; at += kPitch, segment_of += width)
-      std::copy_n(memory.segment.data() + at, count, segment_of);
+    for (int i = 0; i < length_; ++i, segment += kPitch, segment_of += width)
+      std::copy(segment, segment + count, segment_of);
   else
-    transpose(memory.segment.data(), kPitch, length_, count, segment_of, width);
+    transpose(segment, kPitch, length_, count, segment_of, width);
 }
 
 }  // namespace epcc

@@ -14,8 +14,8 @@ namespace epcc {
 /// What one thread needs to grow a strip: S1's memory, and samples side by side where they do not lie so in the image.
 struct StripMemory {
   LineGrowing growing{InverseDepthParameters()};
-  std::vector<float> w, weight;
-  std::vector<std::int32_t> segment;
+  std::vector<ValuesOfLines<float>> w, weight;
+  std::vector<ValuesOfLines<std::int32_t>> segment;
 };
 
 /// The line segments of all columns, or of all rows, of an image.
