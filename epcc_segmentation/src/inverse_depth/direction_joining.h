@@ -19,8 +19,8 @@ class DirectionJoining {
             RegionMap& map);
 
  private:
-  /// One direction's planes: ranks by size from 0, kNoPlane where there is none.
-  struct Ranks {
+  /// Of one direction: ranks by size from 0, kNoPlane where there is none.
+  struct RanksOf {
     std::vector<std::uint32_t> of_plane;
     /// Per scan line: of no segment, then of each of its segments.
     std::vector<std::uint32_t> of_segment;
@@ -32,10 +32,12 @@ class DirectionJoining {
   };
 
   void rankPlanes(const std::array<DirectionalPlanes, 2>& directions);
-  static void rankSegments(const DirectionalPlanes& direction, Ranks& ranks);
+  static void rankSegments(const DirectionalPlanes& direction, RanksOf& ranks);
 
   std::vector<SizedPlane> planes_;
-  std::array<Ranks, 2> ranks_;
+  std::array<RanksOf, 2> ranks_;
+  std::vector<std::int32_t> known_segment_;  // per thread and column
+  std::vector<std::uint32_t> known_rank_;
 };
 
 }  // namespace epcc

@@ -7,6 +7,7 @@
 
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/plane_moments.h"
+#include "inverse_depth/row_sums.h"
 
 namespace epcc {
 
@@ -14,8 +15,9 @@ namespace epcc {
 struct RegionMap {
   std::vector<std::int32_t> labels;
   std::vector<PlaneMoments> regions;
+  std::vector<RaySums> sums;  ///< memory of accumulate()
 
-  /// Recomputes every region's moments from the labels, run by run.
+  /// Recomputes every region's moments from the labels.
   void accumulate(const InverseDepthImage& image);
   /// Gives every pixel of label k the label new_label[k]; regions are left as they are.
   void relabel(const std::vector<std::int32_t>& new_label);
