@@ -41,19 +41,23 @@ void InverseDepthPipeline::begin(InverseDepthImage& image) {
   directions_[1].setActive(parameters_.scan != ScanDirection::Columns && image.planar_rows);
 }
 
-// The strips of both directions know nothing of each other.
+// The strips of both directions know nothing of each other. Those of rows, which take longer or shorter, are spread
+// evenly among those of columns: so each thread has as many.
 void InverseDepthPipeline::growLines() {
   for (DirectionalPlanes& direction : directions_) direction.beginLines(*image_, grid_parameters_);
-  const int columns = directions_[0].strips();
+  const int rows = directions_[1].strips();
+  const int all = directions_[0].strips() + rows;
   strip_memory_.resize(static_cast<std::size_t>(std::max(1, parameters_.threads)));
-  parallelFor(columns + directions_[1].strips(), parameters_.threads, [&](int thread, int begin, int end) {
+  parallelFor(all, parameters_.threads, [&](int thread, int begin, int end) {
     StripMemory& memory = strip_memory_[static_cast<std::size_t>(thread)];
     memory.growing.configure(grid_parameters_);
-    for (int k = begin; k < end; ++k)
-      if (k < columns)
-        directions_[0].growStrip(*image_, k, memory);
+    for (int k = begin; k < end; ++k) {
+      const int row_strip = k * rows / all;
+      if ((k + 1) * rows / all > row_strip)
+        directions_[1].growStrip(*image_, row_strip, memory);
       else
-        directions_[1].growStrip(*image_, k - columns, memory);
+        directions_[0].growStrip(*image_, k - row_strip, memory);
+    }
   });
 }
 
