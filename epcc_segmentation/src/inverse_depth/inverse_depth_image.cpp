@@ -114,6 +114,18 @@ std::size_t samplePlace(std::size_t sample, int stride, std::size_t count) {
   return std::min(sample * static_cast<std::size_t>(stride) + static_cast<std::size_t>(stride / 2), count - 1);
 }
 
+}  // namespace
+
+int sampleAt(int place, int stride, int count) {
+  const int sample = place / stride;
+  const bool is_one = sample < sampleCount(count, stride) &&
+                      samplePlace(static_cast<std::size_t>(sample), stride, static_cast<std::size_t>(count)) ==
+                          static_cast<std::size_t>(place);
+  return is_one ? sample : -1;
+}
+
+namespace {
+
 void sampleCoordinates(const std::vector<double>& from, int count, int stride, std::vector<double>& to) {
   to.resize(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[samplePlace(i, stride, from.size())];

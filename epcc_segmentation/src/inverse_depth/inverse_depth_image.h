@@ -78,6 +78,8 @@ struct InverseDepthImage {
 
 /// How many of `count` values are samples: every stride-th from stride / 2 on; never none.
 int sampleCount(int count, int stride);
+/// Which of the samples lies at a place, -1 none.
+int sampleAt(int place, int stride, int count);
 
 /// Mean change of a ray coordinate from one column or row to the next.
 double pixelPitch(const std::vector<double>& coordinate);

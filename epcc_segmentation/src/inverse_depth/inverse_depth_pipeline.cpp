@@ -109,12 +109,11 @@ void InverseDepthPipeline::labelPixels() {
 
 void InverseDepthPipeline::listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,
                                         std::vector<LineSegment>& segments) const {
-  const auto width = static_cast<std::size_t>(frame.width());
-  if (directions_[0].active())
-    appendSegments(frame, sensor_, {directions_[0].lines().segmentOf().data(), 1, width}, labels, segments);
+  const auto width = static_cast<std::size_t>(image_->width);
+  const auto numbers = [this](std::size_t direction) { return directions_[direction].lines().segmentOf().data(); };
+  if (directions_[0].active()) appendSegments(frame, sensor_, {numbers(0), 1, width, stride_}, labels, segments);
   if (directions_[1].active())
-    appendSegments(frame.transposed(), sensor_, {directions_[1].lines().segmentOf().data(), width, 1}, labels,
-                   segments);
+    appendSegments(frame.transposed(), sensor_, {numbers(1), width, 1, stride_}, labels, segments);
 }
 
 }  // namespace epcc

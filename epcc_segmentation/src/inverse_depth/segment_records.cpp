@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "inverse_depth/inverse_depth_image.h"
 #include "metric/scan_line.h"
 #include "metric/segment_record.h"
 
@@ -69,6 +70,8 @@ void appendSegments(const DepthFrame& view, const SensorModel& sensor, const Seg
                     const std::vector<std::int32_t>& labels, std::vector<LineSegment>& segments) {
   ScanLine line;
   for (int column = 0; column < view.width(); ++column) {
+    const int grid_column = sampleAt(column, segment_of.stride, view.width());
+    if (grid_column < 0) continue;
     readScanLine(view, sensor, column, line);
     GatheredSegment segment;
     const auto finish = [&] {
@@ -79,7 +82,8 @@ void appendSegments(const DepthFrame& view, const SensorModel& sensor, const Seg
     };
     std::int32_t current = -1;  // the samples of a segment follow each other, but for rejected ones between them
     for (const ScanSample& sample : line.samples) {
-      const std::int32_t id = segment_of.at(sample.position, column);
+      const int grid_row = sampleAt(sample.position, segment_of.stride, view.height());
+      const std::int32_t id = grid_row < 0 ? -1 : segment_of.at(grid_row, grid_column);
       if (id < 0) continue;
       if (id != current) finish();
       current = id;

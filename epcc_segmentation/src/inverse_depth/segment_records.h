@@ -12,17 +12,19 @@
 
 namespace epcc {
 
-/// Each pixel's segment by its number within its column of a view, -1 none.
+/// Each sample's segment by its number within its column of a view, -1 none.
 struct SegmentNumbers {
   const std::int32_t* numbers = nullptr;
   std::size_t next_column = 0, next_row = 0;  ///< steps
+  int stride = 1;                             ///< of the samples
 
+  /// Of a sample, by its place in the grid.
   std::int32_t at(int row, int column) const {
     return numbers[static_cast<std::size_t>(row) * next_row + static_cast<std::size_t>(column) * next_column];
   }
 };
 
-/// Appends the segments of the view's columns. `labels` are the final ones, in the order of the caller's arrays.
+/// Appends the segments of those columns of the view that are scan lines of the grid. `labels` are the final ones, in the order of the caller's arrays.
 void appendSegments(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& segment_of,
                     const std::vector<std::int32_t>& labels, std::vector<LineSegment>& segments);
 

@@ -65,6 +65,8 @@ TEST(SampleGrid, SamplesAreThePixelsInTheMiddleOfTheirBlocks) {
         for (int column = 0; column < samples.width; ++column) {
           const int r = std::min(stride / 2 + row * stride, height - 1);
           const int c = std::min(stride / 2 + column * stride, width - 1);
+          EXPECT_EQ(epcc::sampleAt(r, stride, height), row);
+          EXPECT_EQ(epcc::sampleAt(c, stride, width), column);
           const std::size_t sample = samples.index(row, column), pixel = image.index(r, c);
           EXPECT_EQ(samples.w[sample], image.w[pixel]);
           EXPECT_EQ(samples.weight[sample], image.weight[pixel]) << "the noise of a pixel, not of a block";
