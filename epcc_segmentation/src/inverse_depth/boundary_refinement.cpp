@@ -2,23 +2,15 @@
 // S5: crease votes, then passes over the frontier.
 #include "inverse_depth/boundary_refinement.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "inverse_depth/region_contacts.h"
+#include <cstddef>
+#include <utility>
 
 namespace epcc {
 
 namespace {
-
-/// What the refinement knows of a region.
-struct RefinedPlane {
-  Eigen::Vector3d q = Eigen::Vector3d::Zero();
-  double inverse_slope = 1.0;  ///< 1 / sqrt(slope factor)
-  bool usable = false;
-};
-
-enum class Crease { Unknown, Convex, Concave };
 
 class Refiner {
  public:
@@ -26,21 +18,22 @@ class Refiner {
           RefinementMemory& memory)
       : image_(image),
         parameters_(parameters.expert.refinement),
-        labels_(map.labels),
-        planes_(map.regions.size() + 1),
+        labels_(map.labels.data()),
+        memory_(memory),
         frontier_(memory.frontier),
-        queued_(memory.queued),
         changes_(memory.changes) {
+    memory_.planes.assign(map.regions.size() + 1, RefinedPlane());
     for (std::size_t k = 0; k < map.regions.size(); ++k) {
       if (map.regions[k].n <= 0.0) continue;
       const RegionPlane plane(map.regions[k]);
-      planes_[k + 1] = {plane.q, 1.0 / std::sqrt(plane.slope_factor), true};
+      memory_.planes[k + 1] = {plane.q.x(), plane.q.y(), plane.q.z(), 1.0 / std::sqrt(plane.slope_factor)};
     }
+    if (memory_.queued.size() != map.labels.size()) memory_.queued.assign(map.labels.size(), 0);
   }
 
   void run() {
     sweepBorders();
-    countVotes();
+    memory_.creases.count(parameters_);
     for (int pass = 0; pass < parameters_.passes && !frontier_.empty(); ++pass) {
       use_creases_ = pass < parameters_.crease_passes;
       refineFrontier();
@@ -48,172 +41,184 @@ class Refiner {
   }
 
  private:
-  using Change = RefinementMemory::Change;
-  struct Pixel {
-    int row, column;
-    double w, weight, inverse_sigma;
-  };
+  using Pixel = RefinementMemory::Pixel;
 
-  int width() const { return image_.width; }
-  int height() const { return image_.height; }
-
-  double planeAt(std::int32_t label, int row, int column) const {
-    const Eigen::Vector3d& q = planes_[static_cast<std::size_t>(label)].q;
-    return q.x() * image_.across[static_cast<std::size_t>(column)] +
-           q.y() * image_.along[static_cast<std::size_t>(row)] +
-           q.z() * image_.forward[static_cast<std::size_t>(column)];
-  }
-
-  /// Residual of a pixel on a region's plane, in sigma across the surface.
-  double error(std::int32_t label, const Pixel& pixel) const {
-    return std::abs(pixel.w - planeAt(label, pixel.row, pixel.column)) * pixel.inverse_sigma *
-           planes_[static_cast<std::size_t>(label)].inverse_slope;
-  }
-
-  template <typename Visit>
-  void forEachNeighbour(int row, int column, const Visit& visit) const {
-    const std::size_t pixel = image_.index(row, column);
-    if (column > 0) visit(pixel - 1);
-    if (column + 1 < width()) visit(pixel + 1);
-    if (row > 0) visit(pixel - width());
-    if (row + 1 < height()) visit(pixel + width());
+  const RefinedPlane& planeOf(std::int32_t label) const { return memory_.planes[static_cast<std::size_t>(label)]; }
+  double planeAt(std::int32_t label, Pixel pixel) const {
+    const RefinedPlane& plane = planeOf(label);
+    return plane.x * image_.across[static_cast<std::size_t>(pixel.column)] +
+           plane.y * image_.along[static_cast<std::size_t>(pixel.row)] +
+           plane.z * image_.forward[static_cast<std::size_t>(pixel.column)];
   }
 
   // ---- borders ----
-  // One sweep over the image: where two labels meet, the pixels join the frontier and the crease is voted.
+  // One sweep over the image: where two labels meet, the pixels that see another label join the frontier and the crease
+  // is voted.
   void sweepBorders() {
     frontier_.clear();
-    queued_.assign(labels_.size(), 0);
-    const auto step = static_cast<std::size_t>(width());
-    for (int row = 0; row < height(); ++row) {
-      const std::size_t start = image_.index(row, 0);
-      const std::int32_t* here = labels_.data() + start;
-      const std::int32_t* below = row + 1 < height() ? here + step : here;  // no border under the last row
-      for (std::size_t column = 0; column < step; ++column) {
-        const std::size_t pixel = start + column;
-        if (column + 1 < step && here[column] != here[column + 1]) {
-          meet(pixel, pixel + 1);
-          voteCrease(pixel, pixel + 1, row, static_cast<int>(column), 0, 1);
-        }
-        if (here[column] != below[column]) {
-          meet(pixel, pixel + step);
-          voteCrease(pixel, pixel + step, row, static_cast<int>(column), 1, 0);
-        }
-      }
+    memory_.creases.clear();
+    for (RowBorders* borders : {&memory_.borders, &memory_.upper}) borders->resize(image_.width);
+    const std::size_t words = memory_.borders.left.size();
+    for (RowBits* bits : {&memory_.frontier_bits, &memory_.upper_frontier}) bits->assign(words, 0);
+    for (int row = 0; row < image_.height; ++row) {
+      std::swap(memory_.borders, memory_.upper);
+      std::swap(memory_.frontier_bits, memory_.upper_frontier);
+      markBorders(labels_, image_.width, row, memory_.borders);
+      for (std::size_t word = 0; word < words; ++word) sweepWord(row, word);
+      if (row > 0) listFrontier(row - 1, memory_.upper_frontier);
     }
-    for (const std::size_t pixel : frontier_) queued_[pixel] = 0;
+    if (image_.height > 0) listFrontier(image_.height - 1, memory_.frontier_bits);
   }
 
-  void meet(std::size_t a, std::size_t b) {
-    if (labels_[b] != 0) enqueue(a);
-    if (labels_[a] != 0) enqueue(b);
+  // 64 pixels of a row and those above them.
+  void sweepWord(int row, std::size_t word) {
+    const RowBorders& here = memory_.borders;
+    const std::uint64_t labelled = here.labelled[word], upper_labelled = memory_.upper.labelled[word];
+    const std::uint64_t left = here.left[word], above = here.above[word];
+    const bool last = word + 1 == here.left.size();
+    const std::uint64_t left_labelled = labelled << 1 | (word > 0 ? here.labelled[word - 1] >> 63 : 0);
+    const std::uint64_t right = left >> 1 | (last ? 0 : here.left[word + 1] << 63);
+    const std::uint64_t right_labelled = labelled >> 1 | (last ? 0 : here.labelled[word + 1] << 63);
+    memory_.frontier_bits[word] = (left & left_labelled) | (right & right_labelled) | (above & upper_labelled);
+    memory_.upper_frontier[word] |= above & labelled;
+    const int place = static_cast<int>(word) * 64;
+    forEachBit(left & labelled & left_labelled, place,
+               [&](int column) { voteCrease({row, column - 1}, {row, column}); });
+    forEachBit(above & labelled & upper_labelled, place,
+               [&](int column) { voteCrease({row - 1, column}, {row, column}); });
   }
 
-  void enqueue(std::size_t pixel) {
-    if (queued_[pixel] != 0 || !(image_.w[pixel] > 0.0f)) return;
-    queued_[pixel] = 1;
-    frontier_.push_back(pixel);
+  void listFrontier(int row, const RowBits& bits) {
+    const float* w = image_.w.data() + image_.index(row, 0);
+    for (std::size_t word = 0; word < bits.size(); ++word)
+      forEachBit(bits[word], static_cast<int>(word) * 64, [&](int column) {
+        if (w[column] > 0.0f) frontier_.push_back({row, column});
+      });
   }
 
-  // ---- creases ----
-  // On a convex edge the surface is the farther of the two planes (the smaller w), in a concave corner the nearer.
-  struct Votes {
-    int convex = 0, concave = 0;
-  };
-
-  /// Votes on both sides of the border between pixels a and b, b one step down or to the right of (row, column).
-  void voteCrease(std::size_t a, std::size_t b, int row, int column, int down, int right) {
-    const std::int32_t label_a = labels_[a];
-    const std::int32_t label_b = labels_[b];
-    if (label_a == 0 || label_b == 0) return;
-    const int back = parameters_.crease_vote_pixels;
-    const int forth = back + 1;
-    vote(label_a, label_b, row - back * down, column - back * right);
-    vote(label_b, label_a, row + forth * down, column + forth * right);
+  /// Votes on both sides of the border between a and b, b one step down or to the right.
+  void voteCrease(Pixel a, Pixel b) {
+    const int down = parameters_.crease_vote_pixels * (b.row - a.row);
+    const int right = parameters_.crease_vote_pixels * (b.column - a.column);
+    const std::int32_t label_a = labels_[image_.index(a.row, a.column)];
+    const std::int32_t label_b = labels_[image_.index(b.row, b.column)];
+    vote(label_a, label_b, {a.row - down, a.column - right});
+    vote(label_b, label_a, {b.row + down, b.column + right});
   }
 
-  void vote(std::int32_t own, std::int32_t other, int row, int column) {
-    if (row < 0 || row >= height() || column < 0 || column >= width()) return;
-    if (labels_[image_.index(row, column)] != own) return;
-    Votes& v = votes_of_[RegionPair(own, other)];
-    (planeAt(own, row, column) < planeAt(other, row, column) ? v.convex : v.concave)++;
-  }
-
-  void countVotes() {
-    for (const auto& [pair, v] : votes_) {
-      const int total = v.convex + v.concave;
-      if (total < parameters_.crease_min_votes) continue;
-      if (v.convex >= parameters_.crease_agreement * total) creases_[pair] = Crease::Convex;
-      if (v.concave >= parameters_.crease_agreement * total) creases_[pair] = Crease::Concave;
-    }
+  void vote(std::int32_t own, std::int32_t other, Pixel pixel) {
+    if (pixel.row < 0 || pixel.row >= image_.height || pixel.column < 0 || pixel.column >= image_.width) return;
+    if (labels_[image_.index(pixel.row, pixel.column)] != own) return;
+    memory_.creases.add(own, other, planeAt(own, pixel) < planeAt(other, pixel));
   }
 
   // ---- frontier ----
+  // All decisions of a pass are made from the labels before it: their order is of no importance.
   void refineFrontier() {
     changes_.clear();
-    for (const std::size_t pixel : frontier_) {
+    for (const Pixel pixel : frontier_) {
       const std::int32_t label = bestLabel(pixel);
-      if (label != labels_[pixel]) changes_.push_back({pixel, label});
+      if (label != labels_[image_.index(pixel.row, pixel.column)]) changes_.push_back({pixel, label});
     }
-    for (const Change& change : changes_) labels_[change.pixel] = change.label;
     frontier_.clear();
-    for (const Change& change : changes_) {
-      enqueue(change.pixel);
-      forEachNeighbour(static_cast<int>(change.pixel / width()), static_cast<int>(change.pixel % width()),
-                       [this](std::size_t pixel) { enqueue(pixel); });
+    for (const RefinementMemory::Change& change : changes_) {
+      const auto [row, column] = change.pixel;
+      labels_[image_.index(row, column)] = change.label;
+      enqueue({row, column});
+      if (column > 0) enqueue({row, column - 1});
+      if (column + 1 < image_.width) enqueue({row, column + 1});
+      if (row > 0) enqueue({row - 1, column});
+      if (row + 1 < image_.height) enqueue({row + 1, column});
     }
-    for (const std::size_t pixel : frontier_) queued_[pixel] = 0;
+    for (const Pixel pixel : frontier_) memory_.queued[image_.index(pixel.row, pixel.column)] = 0;
   }
 
-  std::int32_t bestLabel(std::size_t index) {
-    const std::int32_t current = labels_[index];
-    Pixel pixel;
-    pixel.row = static_cast<int>(index / width());
-    pixel.column = static_cast<int>(index % width());
+  void enqueue(Pixel pixel) {
+    const std::size_t index = image_.index(pixel.row, pixel.column);
+    if (memory_.queued[index] != 0 || !(image_.w[index] > 0.0f)) return;
+    memory_.queued[index] = 1;
+    frontier_.push_back(pixel);
+  }
+
+  /// A pixel as its candidates see it.
+  struct View {
+    double w, inverse_sigma, across, along, forward;
+
+    double planeAt(const RefinedPlane& plane) const { return plane.x * across + plane.y * along + plane.z * forward; }
+    /// Residual on a plane, in sigma across the surface.
+    double error(const RefinedPlane& plane) const {
+      return std::abs(w - planeAt(plane)) * inverse_sigma * plane.inverse_slope;
+    }
+  };
+
+  std::int32_t bestLabel(Pixel pixel) const {
+    const std::size_t index = image_.index(pixel.row, pixel.column);
+    const std::int32_t* label = labels_ + index;
+    const std::int32_t current = *label;
     std::array<std::int32_t, 4> others;
     std::size_t count = 0;
-    forEachNeighbour(pixel.row, pixel.column, [&](std::size_t n) {
-      const std::int32_t other = labels_[n];
-      if (other != 0 && other != current && planes_[static_cast<std::size_t>(other)].usable) others[count++] = other;
-    });
+    const auto see = [&](std::int32_t other) {
+      if (other != 0 && other != current && planeOf(other).inverse_slope > 0.0) others[count++] = other;
+    };
+    if (pixel.column > 0) see(label[-1]);
+    if (pixel.column + 1 < image_.width) see(label[1]);
+    if (pixel.row > 0) see(label[-image_.width]);
+    if (pixel.row + 1 < image_.height) see(label[image_.width]);
     if (count == 0) return current;
-    pixel.w = static_cast<double>(image_.w[index]);
-    pixel.weight = static_cast<double>(image_.weight[index]);
-    pixel.inverse_sigma = std::sqrt(pixel.weight);
-    const double current_error = current != 0 ? error(current, pixel) : parameters_.max_residual;
-    double least = current_error;
+
+    const View view = {static_cast<double>(image_.w[index]), std::sqrt(static_cast<double>(image_.weight[index])),
+                       image_.across[static_cast<std::size_t>(pixel.column)],
+                       image_.along[static_cast<std::size_t>(pixel.row)],
+                       image_.forward[static_cast<std::size_t>(pixel.column)]};
+    return current == 0 ? nearestPlane(view, others.data(), count) : betterPlane(current, view, others.data(), count);
+  }
+
+  /// An unlabelled pixel joins the plane with the smallest residual.
+  std::int32_t nearestPlane(const View& view, const std::int32_t* others, std::size_t count) const {
+    std::int32_t best = 0;
+    double least = parameters_.max_residual;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (others[k] == best) continue;
+      const double error = view.error(planeOf(others[k]));
+      if (error < least) least = error, best = others[k];
+    }
+    return best;
+  }
+
+  /// A labelled one changes sides if the crease says so or, where it does not know, for a gain in its residual.
+  std::int32_t betterPlane(std::int32_t current, const View& view, const std::int32_t* others,
+                           std::size_t count) const {
+    const RefinedPlane& plane = planeOf(current);
+    const double error = view.error(plane);
+    double least = error;
     std::int32_t best = current;
     for (std::size_t k = 0; k < count; ++k) {
       const std::int32_t other = others[k];
       if (other == best) continue;
-      const double e = error(other, pixel);
-      if (current == 0) {
-        if (e < least) least = e, best = other;
-        continue;
-      }
-      switch (creaseDecision(current, other, pixel, current_error, e)) {
+      const double other_error = view.error(planeOf(other));
+      switch (creaseDecision(current, other, view, error, other_error)) {
         case Decision::Keep:
           continue;
         case Decision::Flip:
-          least = std::min(least, e), best = other;
+          least = std::min(least, other_error), best = other;
           continue;
         case Decision::Residual:
           break;
       }
-      if (e < current_error - parameters_.flip_gain && (best == current || e < least)) least = e, best = other;
+      if (other_error < error - parameters_.flip_gain && (best == current || other_error < least))
+        least = other_error, best = other;
     }
     return best;
   }
 
   enum class Decision { Keep, Flip, Residual };
-  Decision creaseDecision(std::int32_t current, std::int32_t other, const Pixel& pixel, double current_error,
-                          double other_error) {
+  Decision creaseDecision(std::int32_t current, std::int32_t other, const View& view, double current_error,
+                          double other_error) const {
     if (!use_creases_) return Decision::Residual;
     if (current_error > parameters_.crease_range || other_error > parameters_.crease_range) return Decision::Residual;
-    const double difference = planeAt(current, pixel.row, pixel.column) - planeAt(other, pixel.row, pixel.column);
-    if (difference * difference * pixel.weight > parameters_.crease_range * parameters_.crease_range)
-      return Decision::Residual;
-    const Crease kind = crease_of_[RegionPair(current, other)];
+    const double difference = view.planeAt(planeOf(current)) - view.planeAt(planeOf(other));
+    if (std::abs(difference) * view.inverse_sigma > parameters_.crease_range) return Decision::Residual;
+    const Crease kind = memory_.creases.kindOf(current, other);
     if (kind == Crease::Unknown) return Decision::Residual;
     const bool current_is_surface = kind == Crease::Convex ? difference <= 0.0 : difference >= 0.0;
     if (current_is_surface) return Decision::Keep;
@@ -222,15 +227,10 @@ class Refiner {
 
   const InverseDepthImage& image_;
   const InverseDepthParameters::Refinement& parameters_;
-  std::vector<std::int32_t>& labels_;
-  std::vector<RefinedPlane> planes_;
-  RegionPairs<Votes> votes_;
-  RegionPairLookup<Votes> votes_of_{votes_};
-  RegionPairs<Crease> creases_;
-  RegionPairLookup<Crease> crease_of_{creases_};
-  std::vector<std::size_t>& frontier_;
-  std::vector<std::uint8_t>& queued_;
-  std::vector<Change>& changes_;
+  std::int32_t* labels_;
+  RefinementMemory& memory_;
+  std::vector<Pixel>& frontier_;
+  std::vector<RefinementMemory::Change>& changes_;
   bool use_creases_ = true;
 };
 

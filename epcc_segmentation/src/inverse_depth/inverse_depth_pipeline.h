@@ -14,7 +14,9 @@
 #include "inverse_depth/directional_planes.h"
 #include "inverse_depth/full_resolution.h"
 #include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/region_contacts.h"
 #include "inverse_depth/region_map.h"
+#include "inverse_depth/region_merging.h"
 
 namespace epcc {
 
@@ -63,6 +65,9 @@ class InverseDepthPipeline {
   std::array<std::vector<std::int32_t>, 2> rank_of_;  // per segment + 1: rank of its plane among all planes
   std::vector<std::int32_t> label_of_rank_;
   RegionMap map_;
+  ContactSearchMemory contact_search_;
+  RegionContacts contacts_;
+  RegionMerger merger_;
   RefinementMemory refinement_;
   FullResolution full_resolution_;
   std::vector<std::int32_t> pixel_labels_;

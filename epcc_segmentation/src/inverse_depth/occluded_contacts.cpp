@@ -115,11 +115,10 @@ class OcclusionWalk {
 
 }  // namespace
 
-RegionContacts findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual,
-                                    const RegionMap& map) {
-  RegionContacts contacts;
+void findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
+                          RegionContacts& contacts) {
+  contacts.clear();
   OcclusionWalk(image, max_occluder, residual, map, contacts).walkLines();
-  return contacts;
 }
 
 }  // namespace epcc

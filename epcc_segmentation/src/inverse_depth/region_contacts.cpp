@@ -1,70 +1,107 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds neighbouring regions by walking along rows and columns.
+// Finds neighbouring regions at the borders of the labels.
 #include "inverse_depth/region_contacts.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace epcc {
 
 void Contact::add(const InverseDepthImage& image, int row, int column, int other_row, int other_column) {
   const auto weightAt = [&image](int r, int c) { return static_cast<double>(image.weight[image.index(r, c)]); };
+  const auto middle = [](const std::vector<double>& coordinate, int i, int j) {
+    return 0.5 * (coordinate[static_cast<std::size_t>(i)] + coordinate[static_cast<std::size_t>(j)]);
+  };
   const double weight = 0.5 * (weightAt(row, column) + weightAt(other_row, other_column));
-  const Eigen::Vector3d middle = 0.5 * (image.ray(row, column) + image.ray(other_row, other_column));
+  const double x = middle(image.across, column, other_column);
+  const double y = middle(image.along, row, other_row);
+  const double z = middle(image.forward, column, other_column);
   ++count;
-  rays.noalias() += (weight * middle) * middle.transpose();
+  xx += weight * x * x;
+  xy += weight * x * y;
+  xz += weight * x * z;
+  yy += weight * y * y;
+  yz += weight * y * z;
+  zz += weight * z * z;
+}
+
+Contact& Contact::operator+=(const Contact& other) {
+  count += other.count;
+  xx += other.xx;
+  xy += other.xy;
+  xz += other.xz;
+  yy += other.yy;
+  yz += other.yz;
+  zz += other.zz;
+  return *this;
+}
+
+double Contact::squares(const Eigen::Vector3d& q) const {
+  return q.x() * (xx * q.x() + xy * q.y() + xz * q.z()) + q.y() * (xy * q.x() + yy * q.y() + yz * q.z()) +
+         q.z() * (xz * q.x() + yz * q.y() + zz * q.z());
+}
+
+void RegionContacts::clear() {
+  table.clear();
+  contacts.clear();
+}
+
+const Contact* RegionContacts::find(const RegionPair& pair) const {
+  const int number = table.numberOf(pair);
+  return number < 0 ? nullptr : &contacts[static_cast<std::size_t>(number)];
 }
 
 namespace {
 
-/// The labelled pixel last seen on a line.
-struct LastLabel {
-  std::int32_t label = 0;  ///< 0: none yet
-  int place = 0;
-};
-
-/// Finds where labels follow each other on a row or column.
+/// Finds where labels follow each other on a row or column. Inside a region nothing needs to be looked at: each row
+/// tells by bits where a label begins or ends, to the left and above.
 class ContactSearch {
  public:
-  ContactSearch(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map)
-      : image_(image), bridge_(bridge), residual2_(residual * residual), map_(map) {}
+  ContactSearch(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map,
+                ContactSearchMemory& memory, RegionContacts& contacts)
+      : image_(image),
+        bridge_(bridge),
+        residual2_(residual * residual),
+        labels_(map.labels.data()),
+        borders_(memory.borders),
+        last_row_(memory.last_row),
+        contacts_(contacts) {}
 
-  // Inside a region nothing needs to be remembered: of the pixels before only those at its end count.
-  RegionContacts search() {
-    above_.assign(static_cast<std::size_t>(image_.width), LastLabel());
-    const std::vector<std::int32_t> no_row(static_cast<std::size_t>(image_.width), 0);
+  void search() {
+    borders_.resize(image_.width);
+    last_row_.assign(static_cast<std::size_t>(image_.width), -bridge_ - 2);  // out of reach
     for (int row = 0; row < image_.height; ++row) {
-      const std::int32_t* labels = map_.labels.data() + image_.index(row, 0);
-      const std::int32_t* upper_labels = row > 0 ? labels - image_.width : no_row.data();
-      left_ = LastLabel();
-      std::int32_t left_label = 0;
-      for (int column = 0; column < image_.width; ++column) {
-        const std::int32_t label = labels[column];
-        const std::int32_t upper_label = upper_labels[column];
-        if (label != left_label) meetLeft(row, column, label, left_label);
-        if (label != upper_label) meetAbove(row, column, label, upper_label);
-        left_label = label;
+      markBorders(labels_, image_.width, row, borders_);
+      last_column_ = -bridge_ - 2;
+      for (std::size_t word = 0; word < borders_.left.size(); ++word) {
+        const int place = static_cast<int>(word) * 64;
+        const std::uint64_t labelled = borders_.labelled[word];
+        forEachBit(borders_.left[word], place, [&](int column) { meetLeft(row, column); });
+        forEachBit(borders_.above[word] & ~labelled, place,
+                   [&](int column) { last_row_[static_cast<std::size_t>(column)] = row - 1; });
+        forEachBit(borders_.above[word] & labelled, place, [&](int column) { meetAbove(row, column); });
       }
     }
-    return std::move(contacts_);
   }
 
  private:
-  void meetLeft(int row, int column, std::int32_t label, std::int32_t left_label) {
-    if (left_label != 0) left_ = {left_label, column - 1};
-    if (meets(left_, label, column) && !seesBehind(image_.index(row, left_.place), image_.index(row, column), 1))
-      contact_[{left_.label, label}].add(image_, row, column, row, left_.place);
+  std::int32_t labelAt(int row, int column) const { return labels_[image_.index(row, column)]; }
+
+  void meetLeft(int row, int column) {
+    if (labelAt(row, column - 1) != 0) last_column_ = column - 1;
+    if (labelAt(row, column) != 0 && column - last_column_ <= bridge_ + 1) meet(row, column, row, last_column_, 1);
   }
 
-  void meetAbove(int row, int column, std::int32_t label, std::int32_t upper_label) {
-    LastLabel& upper = above_[static_cast<std::size_t>(column)];
-    if (upper_label != 0) upper = {upper_label, row - 1};
-    if (meets(upper, label, row) && !seesBehind(image_.index(upper.place, column), image_.index(row, column),
-                                                static_cast<std::size_t>(image_.width)))
-      contact_[{upper.label, label}].add(image_, row, column, upper.place, column);
+  void meetAbove(int row, int column) {
+    const bool touches = labelAt(row - 1, column) != 0;
+    const int upper_row = touches ? row - 1 : last_row_[static_cast<std::size_t>(column)];
+    if (row - upper_row <= bridge_ + 1) meet(row, column, upper_row, column, static_cast<std::size_t>(image_.width));
   }
 
-  bool meets(const LastLabel& last, std::int32_t label, int place) const {
-    return label != 0 && last.label != 0 && last.label != label && place - last.place <= bridge_ + 1;
+  void meet(int row, int column, int other_row, int other_column, std::size_t step) {
+    const std::int32_t label = labelAt(row, column);
+    const std::int32_t other = labelAt(other_row, other_column);
+    if (label == other || seesBehind(image_.index(other_row, other_column), image_.index(row, column), step)) return;
+    contacts_[{other, label}].add(image_, row, column, other_row, other_column);
   }
 
   /// Something between the two pixels lies farther away than both: a groove or a gap parts them.
@@ -82,17 +119,19 @@ class ContactSearch {
   const InverseDepthImage& image_;
   int bridge_;
   double residual2_;
-  const RegionMap& map_;
-  RegionContacts contacts_;
-  RegionPairLookup<Contact> contact_{contacts_};
-  LastLabel left_;                ///< on this row, before the pixels without a label
-  std::vector<LastLabel> above_;  ///< the same, per column
+  const std::int32_t* labels_;
+  RowBorders& borders_;
+  std::vector<int>& last_row_;
+  int last_column_ = 0;  ///< the same, on this row
+  RegionContacts& contacts_;
 };
 
 }  // namespace
 
-RegionContacts findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map) {
-  return ContactSearch(image, bridge, residual, map).search();
+void findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map,
+                  ContactSearchMemory& memory, RegionContacts& contacts) {
+  contacts.clear();
+  ContactSearch(image, bridge, residual, map, memory, contacts).search();
 }
 
 }  // namespace epcc

@@ -2,15 +2,73 @@
 // S4: neighbouring regions that are one surface within the sensor's error become one.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "inverse_depth/region_contacts.h"
+#include "inverse_depth/region_sums.h"
 
 namespace epcc {
 
-/// Merges best-first until no two regions in contact are alike, then unlabels the regions with fewer than min_samples
-/// independent samples. Labels and moments of `map` are updated.
-void mergeRegions(const RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                  RegionMap& map);
+/// Merges regions best-first. Keeps its memory from frame to frame.
+class RegionMerger {
+ public:
+  /// Merges until no two regions in contact are alike, then unlabels the regions with fewer than min_samples independent
+  /// samples. Labels and moments of `map` are updated; the contacts are used up.
+  void merge(RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
+             RegionMap& map);
+
+ private:
+  /// A region, or what became of some. Which of two nodes takes the other in is a question of their contacts, not of
+  /// their labels: those of the node with fewer move, so that a region with thousands of neighbours is not walked
+  /// through at every merge.
+  struct Node {
+    std::int32_t label = 0;  ///< the smallest of the regions
+    int contacts = 0;        ///< at most so many
+    int first = -1;          ///< end of a contact
+    RegionSums sums;
+    SumsPlane plane;
+  };
+  /// A possible merge; of equal costs the smaller labels go first, so that the order is always the same.
+  struct Candidate {
+    double cost;
+    std::int32_t a, b;  ///< labels, a < b
+    int version_a, version_b;
+    bool operator>(const Candidate& other) const {
+      if (cost != other.cost) return cost > other.cost;
+      return a != other.a ? a > other.a : b > other.b;
+    }
+  };
+
+  void begin(const RegionMap& map);
+  void linkContacts();
+  void link(int end, int node);
+  void judge(int contact);
+  void judgeAll(Node& node);
+  void mergeLabels(std::int32_t a, std::int32_t b);
+  void moveContacts(int from, int into);
+  double cost(const Node& a, const Node& b, const Contact& contact) const;
+  void dropSmallRegions(std::vector<PlaneMoments>& regions);
+
+  Contact& contact(int number) { return contacts_->contacts[static_cast<std::size_t>(number)]; }
+  Node& node(int k) { return nodes_[static_cast<std::size_t>(k)]; }
+  int& nodeAt(int end) { return node_at_[static_cast<std::size_t>(end)]; }
+  int& nextOf(int end) { return next_[static_cast<std::size_t>(end)]; }
+  int& nodeOf(std::int32_t label) { return node_of_[static_cast<std::size_t>(label)]; }
+  int& version(std::int32_t label) { return version_[static_cast<std::size_t>(label)]; }
+
+  InverseDepthParameters::Merging parameters_;
+  double region_tolerance_ = 0.0;
+  double pixels_per_sample_ = 1.0;
+  RegionContacts* contacts_ = nullptr;   ///< numbered; one that went up in another has no places left
+  std::vector<Node> nodes_;              ///< first one per label; 0 is none
+  std::vector<int> node_of_, version_;   ///< per label
+  std::vector<int> node_at_, next_;      ///< per end of a contact, 2 number and 2 number + 1: its node; the node's next
+  std::vector<Candidate> queue_;         ///< a heap, the best on top
+  std::vector<std::int32_t> new_label_;  ///< per label
+};
 
 }  // namespace epcc
