@@ -139,7 +139,7 @@ void InverseDepthPipeline::rejectClutter() {
 
 void InverseDepthPipeline::joinOccluded() {
   findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
-                       grid_parameters_.expert.refinement.max_residual, map_, contacts_);
+                       grid_parameters_.expert.refinement.max_residual, map_, occlusion_, contacts_);
   merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_);
 }
 

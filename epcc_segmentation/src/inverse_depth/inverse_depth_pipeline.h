@@ -66,6 +66,7 @@ class InverseDepthPipeline {
   std::vector<std::int32_t> label_of_rank_;
   RegionMap map_;
   ContactSearchMemory contact_search_;
+  OcclusionMemory occlusion_;
   RegionContacts contacts_;
   RegionMerger merger_;
   RefinementMemory refinement_;

@@ -76,25 +76,31 @@ void RowBorders::resize(int width) {
   for (RowBits* bits : {&left, &above, &labelled}) bits->assign(words, 0);
 }
 
+// From "not that of the next pixel" to "not that of the pixel before".
+void markLeftBorders(const std::int32_t* labels, int width, int row, RowBits& left) {
+  const auto count = static_cast<std::size_t>(width);
+  const std::int32_t* here = labels + static_cast<std::size_t>(row) * count;
+  left.back() = 0;
+  EPCC_KERNEL(compareLabels)(here, here + 1, 1, count - 1, left.data());
+  std::uint64_t carry = 0;
+  for (std::uint64_t& word : left) {
+    const std::uint64_t shifted = word << 1 | carry;
+    carry = word >> 63;
+    word = shifted;
+  }
+}
+
 void markBorders(const std::int32_t* labels, int width, int row, RowBorders& borders) {
   static constexpr std::int32_t kNone[16] = {};
   const auto count = static_cast<std::size_t>(width);
   const std::int32_t* here = labels + static_cast<std::size_t>(row) * count;
   const auto compare = EPCC_KERNEL(compareLabels);
+  markLeftBorders(labels, width, row, borders.left);
+  compare(here, kNone, 0, count, borders.labelled.data());
   if (row > 0)
     compare(here, here - count, 1, count, borders.above.data());
   else
     borders.above.assign(borders.above.size(), 0);
-  compare(here, kNone, 0, count, borders.labelled.data());
-  // From "not that of the next pixel" to "not that of the pixel before".
-  borders.left.back() = 0;
-  compare(here, here + 1, 1, count - 1, borders.left.data());
-  std::uint64_t carry = 0;
-  for (std::uint64_t& word : borders.left) {
-    const std::uint64_t shifted = word << 1 | carry;
-    carry = word >> 63;
-    word = shifted;
-  }
 }
 
 }  // namespace epcc

@@ -23,6 +23,9 @@ struct RowBorders {
 /// Marks the borders of row `row` of a row-major image of labels.
 void markBorders(const std::int32_t* labels, int width, int row, RowBorders& borders);
 
+/// The bits to the left alone.
+void markLeftBorders(const std::int32_t* labels, int width, int row, RowBits& left);
+
 /// The place of the lowest bit of a word that is not 0.
 inline int lowestBit(std::uint64_t word) {
   return __builtin_ctzll(word);

@@ -51,10 +51,27 @@ struct ContactSearchMemory {
 void findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map,
                   ContactSearchMemory& memory, RegionContacts& contacts);
 
+/// What the search for occluded contacts remembers of the lines, kept from frame to frame.
+struct OcclusionMemory {
+  struct Plane {
+    double x = 0.0, y = 0.0, z = 0.0;  ///< q
+    double max_square = 0.0;           ///< of a residual on the plane
+  };
+  struct Begin {
+    int row, line;
+  };
+  std::vector<Plane> planes;             ///< per label
+  RowBorders borders;
+  std::vector<int> begins;               ///< of the runs on a line
+  std::vector<Begin> begins_on_columns;  ///< in the order of rows
+  std::vector<int> sorted_begins;        ///< their rows, in that of columns
+  std::vector<int> first_of_column;      ///< in sorted_begins
+};
+
 /// Regions that face each other on a row or column across something nearer than the plane of the longer run by more
 /// than `residual` sigma, which takes no more pixels than max_occluder times those of the two, with nothing farther
 /// away between them. They may be one surface behind an occluder.
 void findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
-                          RegionContacts& contacts);
+                          OcclusionMemory& memory, RegionContacts& contacts);
 
 }  // namespace epcc

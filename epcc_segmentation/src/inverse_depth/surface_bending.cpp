@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inverse_depth/label_borders.h"
+
 namespace epcc {
 
 namespace {
@@ -42,7 +44,16 @@ class RegionView {
     normal_ = {cosine_ * q_.x() - sine_ * q_.z(), q_.y(), sine_ * q_.x() + cosine_ * q_.z()};
   }
 
-  int stride() const { return stride_; }
+  bool isOnGrid(int row) const { return row % stride_ == 0; }
+
+  /// Pixels [begin, end) of a row, those on the grid.
+  void addRun(const InverseDepthImage& image, int row, int begin, int end) {
+    if (!isOnGrid(row)) return;
+    for (int column = (begin + stride_ - 1) / stride_ * stride_; column < end; column += stride_) {
+      const std::size_t pixel = image.index(row, column);
+      add(image.ray(row, column), static_cast<double>(image.w[pixel]), static_cast<double>(image.weight[pixel]));
+    }
+  }
 
   void add(const Eigen::Vector3d& ray, double w, double weight_of_w) {
     const double depth = sine_ * ray.x() + cosine_ * ray.z();  // 1 unless turned
@@ -106,21 +117,20 @@ std::vector<Bending> measureBending(const InverseDepthImage& image, const Region
       view_of[k + 1] = static_cast<std::int32_t>(views.size());
       views.emplace_back(map.regions[k], !image.planar_rows);
     }
-  std::vector<std::uint8_t> on_grid(views.size());  // of the view's grid, the row
+  RowBits left((static_cast<std::size_t>(image.width) + 63) / 64, 0);
   for (int row = 0; row < image.height; ++row) {
-    for (std::size_t k = 0; k < views.size(); ++k) on_grid[k] = row % views[k].stride() == 0;
-    const std::int32_t* labels = map.labels.data() + image.index(row, 0);
-    for (int begin = 0, end = 0; begin < image.width; begin = end) {
-      while (end < image.width && labels[end] == labels[begin]) ++end;
-      const std::int32_t k = view_of[static_cast<std::size_t>(labels[begin])];
-      if (k < 0 || on_grid[static_cast<std::size_t>(k)] == 0) continue;
-      RegionView& view = views[static_cast<std::size_t>(k)];
-      const int stride = view.stride();
-      for (int column = (begin + stride - 1) / stride * stride; column < end; column += stride) {
-        const std::size_t pixel = image.index(row, column);
-        view.add(image.ray(row, column), static_cast<double>(image.w[pixel]), static_cast<double>(image.weight[pixel]));
-      }
-    }
+    const bool on_grid = std::any_of(views.begin(), views.end(), [row](const RegionView& v) { return v.isOnGrid(row); });
+    if (!on_grid) continue;
+    markLeftBorders(map.labels.data(), image.width, row, left);
+    int begin = 0;
+    const auto sampleRun = [&](int end) {
+      const std::int32_t k = view_of[static_cast<std::size_t>(map.labels[image.index(row, begin)])];
+      if (k >= 0) views[static_cast<std::size_t>(k)].addRun(image, row, begin, end);
+      begin = end;
+    };
+    for (std::size_t word = 0; word < left.size(); ++word)
+      forEachBit(left[word], static_cast<int>(word) * 64, sampleRun);
+    sampleRun(image.width);
   }
   std::vector<Bending> result(map.regions.size());
   for (std::size_t k = 0; k < map.regions.size(); ++k)
