@@ -63,37 +63,43 @@ class Refiner {
     for (int row = 0; row < image_.height; ++row) {
       std::swap(memory_.borders, memory_.upper);
       std::swap(memory_.frontier_bits, memory_.upper_frontier);
-      markBorders(labels_, image_.width, row, memory_.borders);
-      for (std::size_t word = 0; word < words; ++word) sweepWord(row, word);
+      memory_.borders.mark(labels_, image_.width, image_.height, row);
+      markFrontier();
+      voteCreases(row);
       if (row > 0) listFrontier(row - 1, memory_.upper_frontier);
     }
     if (image_.height > 0) listFrontier(image_.height - 1, memory_.frontier_bits);
   }
 
-  // 64 pixels of a row and those above them.
-  void sweepWord(int row, std::size_t word) {
-    const RowBorders& here = memory_.borders;
-    const std::uint64_t labelled = here.labelled[word], upper_labelled = memory_.upper.labelled[word];
-    const std::uint64_t left = here.left[word], above = here.above[word];
-    const bool last = word + 1 == here.left.size();
-    const std::uint64_t left_labelled = labelled << 1 | (word > 0 ? here.labelled[word - 1] >> 63 : 0);
-    const std::uint64_t right = left >> 1 | (last ? 0 : here.left[word + 1] << 63);
-    const std::uint64_t right_labelled = labelled >> 1 | (last ? 0 : here.labelled[word + 1] << 63);
-    memory_.frontier_bits[word] = (left & left_labelled) | (right & right_labelled) | (above & upper_labelled);
-    memory_.upper_frontier[word] |= above & labelled;
-    const int place = static_cast<int>(word) * 64;
-    forEachBit(left & labelled & left_labelled, place,
-               [&](int column) { voteCrease({row, column - 1}, {row, column}); });
-    forEachBit(above & labelled & upper_labelled, place,
-               [&](int column) { voteCrease({row - 1, column}, {row, column}); });
+  // Of a row by its neighbours to the left, to the right and above, and of the row above by this one.
+  void markFrontier() {
+    const auto& [left, above, labelled] = memory_.borders;
+    for (std::size_t word = 0; word < left.size(); ++word) {
+      memory_.frontier_bits[word] = (left[word] & fromLeft(labelled, word)) |
+                                    (fromRight(left, word) & fromRight(labelled, word)) |
+                                    (above[word] & memory_.upper.labelled[word]);
+      memory_.upper_frontier[word] |= above[word] & labelled[word];
+    }
+  }
+
+  void voteCreases(int row) {
+    const auto& [left, above, labelled] = memory_.borders;
+    memory_.list.clear(image_.width);
+    for (std::size_t word = 0; word < left.size(); ++word)
+      memory_.list.add(left[word] & labelled[word] & fromLeft(labelled, word), word);
+    for (const int column : memory_.list) voteCrease({row, column - 1}, {row, column});
+    memory_.list.clear(image_.width);
+    for (std::size_t word = 0; word < left.size(); ++word)
+      memory_.list.add(above[word] & labelled[word] & memory_.upper.labelled[word], word);
+    for (const int column : memory_.list) voteCrease({row - 1, column}, {row, column});
   }
 
   void listFrontier(int row, const RowBits& bits) {
     const float* w = image_.w.data() + image_.index(row, 0);
-    for (std::size_t word = 0; word < bits.size(); ++word)
-      forEachBit(bits[word], static_cast<int>(word) * 64, [&](int column) {
-        if (w[column] > 0.0f) frontier_.push_back({row, column});
-      });
+    memory_.list.clear(image_.width);
+    for (std::size_t word = 0; word < bits.size(); ++word) memory_.list.add(bits[word], word);
+    for (const int column : memory_.list)
+      if (w[column] > 0.0f) frontier_.push_back({row, column});
   }
 
   /// Votes on both sides of the border between a and b, b one step down or to the right.
@@ -155,22 +161,25 @@ class Refiner {
     const std::size_t index = image_.index(pixel.row, pixel.column);
     const std::int32_t* label = labels_ + index;
     const std::int32_t current = *label;
-    std::array<std::int32_t, 4> others;
+    // Neighbours are seldom predictable: each is written down and the count decides whether it stays. Beyond the image
+    // is the pixel itself.
+    const std::int32_t neighbours[4] = {label[pixel.column > 0 ? -1 : 0], label[pixel.column + 1 < image_.width ? 1 : 0],
+                                        label[pixel.row > 0 ? -image_.width : 0],
+                                        label[pixel.row + 1 < image_.height ? image_.width : 0]};
+    std::array<std::int32_t, 6> others = {};  // [0] is none
     std::size_t count = 0;
-    const auto see = [&](std::int32_t other) {
-      if (other != 0 && other != current && planeOf(other).inverse_slope > 0.0) others[count++] = other;
-    };
-    if (pixel.column > 0) see(label[-1]);
-    if (pixel.column + 1 < image_.width) see(label[1]);
-    if (pixel.row > 0) see(label[-image_.width]);
-    if (pixel.row + 1 < image_.height) see(label[image_.width]);
+    for (const std::int32_t other : neighbours) {
+      const bool counts = (other != 0) & (other != current) & (other != others[count]);
+      others[count + 1] = other;
+      count += counts ? 1 : 0;
+    }
     if (count == 0) return current;
 
     const View view = {static_cast<double>(image_.w[index]), std::sqrt(static_cast<double>(image_.weight[index])),
                        image_.across[static_cast<std::size_t>(pixel.column)],
                        image_.along[static_cast<std::size_t>(pixel.row)],
                        image_.forward[static_cast<std::size_t>(pixel.column)]};
-    return current == 0 ? nearestPlane(view, others.data(), count) : betterPlane(current, view, others.data(), count);
+    return current == 0 ? nearestPlane(view, others.data() + 1, count) : betterPlane(current, view, others.data() + 1, count);
   }
 
   /// An unlabelled pixel joins the plane with the smallest residual.

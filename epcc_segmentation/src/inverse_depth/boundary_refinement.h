@@ -15,7 +15,7 @@ namespace epcc {
 /// What the refinement knows of a region.
 struct RefinedPlane {
   double x = 0.0, y = 0.0, z = 0.0;  ///< q
-  double inverse_slope = 0.0;        ///< 1 / sqrt(slope factor); 0: there is no plane
+  double inverse_slope = 1e300;       ///< 1 / sqrt(slope factor); huge where there is no plane: all are far from it
 };
 
 /// Lists as long as the borders, kept from frame to frame.
@@ -32,7 +32,8 @@ struct RefinementMemory {
   std::vector<std::uint8_t> queued;  ///< per pixel: already in the frontier; 0 between passes
   std::vector<Change> changes;       ///< of a pass
   RowBorders borders, upper;         ///< of a row and of the one above
-  RowBits upper_frontier, frontier_bits;
+  RowBits frontier_bits, upper_frontier;
+  PixelList list;
   CreaseVotes creases;
 };
 

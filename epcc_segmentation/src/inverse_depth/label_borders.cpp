@@ -25,41 +25,42 @@ std::uint64_t compareSingly(const std::int32_t* a, const std::int32_t* b, std::s
   return bits;
 }
 
-/// Bit i: a[i] != b[i], of 16 labels.
-HWY_INLINE std::uint64_t compareBlock(const std::int32_t* HWY_RESTRICT a, const std::int32_t* HWY_RESTRICT b) {
+/// Bit i: a[i] != b[i], of 16 labels, in two bytes.
+HWY_INLINE void compareBlock(const std::int32_t* a, const std::int32_t* b, std::uint8_t* bytes) {
 #if HWY_TARGET == HWY_EMU128
   // Masks are slow without instructions for them, but most blocks have no border.
   std::int32_t any = 0;
   for (std::size_t i = 0; i < kBlock; ++i) any |= a[i] ^ b[i];
-  return any == 0 ? 0 : compareSingly(a, b, kBlock);
+  const std::uint64_t bits = any == 0 ? 0 : compareSingly(a, b, kBlock);
+  bytes[0] = static_cast<std::uint8_t>(bits);
+  bytes[1] = static_cast<std::uint8_t>(bits >> 8);
 #else
   const hn::CappedTag<std::int32_t, kBlock> d;
   constexpr std::size_t kLanes = hn::MaxLanes(d);
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < kBlock; i += kLanes) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, hn::Ne(hn::LoadU(d, a + i), hn::LoadU(d, b + i)), bytes);
-    bits |= (static_cast<std::uint64_t>(bytes[0]) | static_cast<std::uint64_t>(bytes[1]) << 8) << i;
+  constexpr std::size_t kSteps = kBlock / kLanes;
+  std::uint8_t parts[kSteps + 7];  // more than a byte may be written
+  for (std::size_t k = 0; k < kSteps; ++k) {
+    const auto differs = hn::Ne(hn::LoadU(d, a + k * kLanes), hn::LoadU(d, b + k * kLanes));
+    hn::StoreMaskBits(d, differs, parts + k);
   }
-  return bits;
+  bytes[0] = kLanes == 4 ? static_cast<std::uint8_t>(parts[0] | parts[1 % kSteps] << 4) : parts[0];
+  bytes[1] = kLanes == 4 ? static_cast<std::uint8_t>(parts[2 % kSteps] | parts[3 % kSteps] << 4) : parts[1];
 #endif
 }
 
-/// Bit i of the words: a[i] != b[step i], of `count` labels. The last block overlaps the one before.
+/// Bit i of the words: a[i] != b[step i], of `count` labels.
 void compareLabels(const std::int32_t* a, const std::int32_t* b, std::size_t step, std::size_t count,
                    std::uint64_t* bits) {
-  for (std::size_t word = 0; word * kWord < count; ++word) bits[word] = 0;
-  if (count < kBlock) {
-    for (std::size_t i = 0; i < count; ++i) bits[0] |= compareSingly(a + i, b + step * i, 1) << i;
-    return;
+  std::size_t i = 0;
+  for (std::size_t word = 0; word * kWord < count; ++word) {
+    std::uint8_t bytes[kWord / 8] = {};
+    for (std::size_t k = 0; k < kWord && i + kBlock <= count; k += kBlock, i += kBlock)
+      compareBlock(a + i, b + step * i, bytes + k / 8);
+    std::uint64_t whole = 0;
+    for (std::size_t k = 0; k < sizeof(bytes); ++k) whole |= static_cast<std::uint64_t>(bytes[k]) << 8 * k;
+    bits[word] = whole;
   }
-  for (std::size_t i = 0; i + kBlock <= count; i += kBlock)
-    bits[i / kWord] |= compareBlock(a + i, b + step * i) << i % kWord;
-  const std::size_t last = count - kBlock;
-  const std::uint64_t block = compareBlock(a + last, b + step * last);
-  const std::size_t shift = last % kWord;
-  bits[last / kWord] |= block << shift;
-  if (shift > kWord - kBlock) bits[last / kWord + 1] |= block >> (kWord - shift);
+  for (; i < count; ++i) bits[i / kWord] |= compareSingly(a + i, b + step * i, 1) << i % kWord;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -71,36 +72,41 @@ namespace epcc {
 
 HWY_EXPORT(compareLabels);
 
-void RowBorders::resize(int width) {
-  const std::size_t words = (static_cast<std::size_t>(width) + 63) / 64;
-  for (RowBits* bits : {&left, &above, &labelled}) bits->assign(words, 0);
+namespace {
+
+const std::int32_t* rowOf(const std::int32_t* labels, int width, int row) {
+  return labels + static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
 }
 
-// From "not that of the next pixel" to "not that of the pixel before".
-void markLeftBorders(const std::int32_t* labels, int width, int row, RowBits& left) {
-  const auto count = static_cast<std::size_t>(width);
-  const std::int32_t* here = labels + static_cast<std::size_t>(row) * count;
-  left.back() = 0;
-  EPCC_KERNEL(compareLabels)(here, here + 1, 1, count - 1, left.data());
+}  // namespace
+
+// From "not that of the next pixel" to "not that of the pixel before". What follows the last pixel of a row is the next
+// row, except at the end.
+void markLeftBorders(const std::int32_t* labels, int width, int height, int row, RowBits& bits) {
+  const std::int32_t* here = rowOf(labels, width, row);
+  const int count = row + 1 < height ? width : width - 1;
+  bits.back() = 0;
+  EPCC_KERNEL(compareLabels)(here, here + 1, 1, static_cast<std::size_t>(count), bits.data());
   std::uint64_t carry = 0;
-  for (std::uint64_t& word : left) {
+  for (std::uint64_t& word : bits) {
     const std::uint64_t shifted = word << 1 | carry;
     carry = word >> 63;
     word = shifted;
   }
+  if (width % 64 != 0) bits.back() &= (std::uint64_t{1} << width % 64) - 1;
 }
 
-void markBorders(const std::int32_t* labels, int width, int row, RowBorders& borders) {
-  static constexpr std::int32_t kNone[16] = {};
-  const auto count = static_cast<std::size_t>(width);
-  const std::int32_t* here = labels + static_cast<std::size_t>(row) * count;
-  const auto compare = EPCC_KERNEL(compareLabels);
-  markLeftBorders(labels, width, row, borders.left);
-  compare(here, kNone, 0, count, borders.labelled.data());
+void markUpperBorders(const std::int32_t* labels, int width, int row, RowBits& bits) {
+  const std::int32_t* here = rowOf(labels, width, row);
   if (row > 0)
-    compare(here, here - count, 1, count, borders.above.data());
+    EPCC_KERNEL(compareLabels)(here, here - width, 1, static_cast<std::size_t>(width), bits.data());
   else
-    borders.above.assign(borders.above.size(), 0);
+    bits.assign(bits.size(), 0);
+}
+
+void markLabelled(const std::int32_t* labels, int width, int row, RowBits& bits) {
+  static constexpr std::int32_t kNone[16] = {};
+  EPCC_KERNEL(compareLabels)(rowOf(labels, width, row), kNone, 0, static_cast<std::size_t>(width), bits.data());
 }
 
 }  // namespace epcc

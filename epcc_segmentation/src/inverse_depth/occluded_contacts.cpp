@@ -27,12 +27,13 @@ class OcclusionWalk {
   }
 
   void walkLines() {
-    memory_.borders.resize(image_.width);
+    for (RowBits* bits : {&memory_.left, &memory_.above}) bits->assign(wordsOf(image_.width), 0);
     memory_.begins_on_columns.clear();
     for (int row = 0; row < image_.height; ++row) {
-      markBorders(labels_, image_.width, row, memory_.borders);
+      listBeginsOnColumns(row);
+      if (row % kLineStep != 0) continue;
       listBegins(row);
-      if (row % kLineStep == 0) walkLine({row, 0}, {0, 1}, image_.width, memory_.begins);
+      walkLine({row, 0}, {0, 1}, image_.width, memory_.begins);
     }
     sortBegins();
     for (int column = 0; column < image_.width; column += kLineStep) {
@@ -51,16 +52,20 @@ class OcclusionWalk {
   enum class Place { InFront, On, Behind };
 
   // ---- runs ----
-  /// Where runs begin on the row, and on every other column in it.
   void listBegins(int row) {
+    markLeftBorders(labels_, image_.width, image_.height, row, memory_.left);
+    memory_.columns.clear(image_.width);
+    for (std::size_t word = 0; word < memory_.left.size(); ++word) memory_.columns.add(memory_.left[word], word);
     memory_.begins.assign(1, 0);
-    for (std::size_t word = 0; word < memory_.borders.left.size(); ++word) {
-      const int place = static_cast<int>(word) * 64;
-      if (row % kLineStep == 0)
-        forEachBit(memory_.borders.left[word], place, [this](int column) { memory_.begins.push_back(column); });
-      forEachBit(memory_.borders.above[word] & kEvenColumns, place,
-                 [&](int column) { memory_.begins_on_columns.push_back({row, column / kLineStep}); });
-    }
+    memory_.begins.insert(memory_.begins.end(), memory_.columns.begin(), memory_.columns.end());
+  }
+
+  void listBeginsOnColumns(int row) {
+    markUpperBorders(labels_, image_.width, row, memory_.above);
+    memory_.columns.clear(image_.width);
+    for (std::size_t word = 0; word < memory_.above.size(); ++word)
+      memory_.columns.add(memory_.above[word] & kEvenColumns, word);
+    for (const int column : memory_.columns) memory_.begins_on_columns.push_back({row, column / kLineStep});
   }
 
   /// Brings those on the columns from the order of rows into that of columns.

@@ -2,42 +2,20 @@
 // Finds neighbouring regions at the borders of the labels.
 #include "inverse_depth/region_contacts.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace epcc {
 
-void Contact::add(const InverseDepthImage& image, int row, int column, int other_row, int other_column) {
-  const auto weightAt = [&image](int r, int c) { return static_cast<double>(image.weight[image.index(r, c)]); };
-  const auto middle = [](const std::vector<double>& coordinate, int i, int j) {
-    return 0.5 * (coordinate[static_cast<std::size_t>(i)] + coordinate[static_cast<std::size_t>(j)]);
-  };
-  const double weight = 0.5 * (weightAt(row, column) + weightAt(other_row, other_column));
-  const double x = middle(image.across, column, other_column);
-  const double y = middle(image.along, row, other_row);
-  const double z = middle(image.forward, column, other_column);
-  ++count;
-  xx += weight * x * x;
-  xy += weight * x * y;
-  xz += weight * x * z;
-  yy += weight * y * y;
-  yz += weight * y * z;
-  zz += weight * z * z;
-}
-
 Contact& Contact::operator+=(const Contact& other) {
   count += other.count;
-  xx += other.xx;
-  xy += other.xy;
-  xz += other.xz;
-  yy += other.yy;
-  yz += other.yz;
-  zz += other.zz;
+  for (int k = 0; k < 6; ++k) rays[k] += other.rays[k];
   return *this;
 }
 
 double Contact::squares(const Eigen::Vector3d& q) const {
-  return q.x() * (xx * q.x() + xy * q.y() + xz * q.z()) + q.y() * (xy * q.x() + yy * q.y() + yz * q.z()) +
-         q.z() * (xz * q.x() + yz * q.y() + zz * q.z());
+  const double x = q.x(), y = q.y(), z = q.z();
+  return x * (rays[0] * x + rays[1] * y + rays[2] * z) + y * (rays[1] * x + rays[3] * y + rays[4] * z) +
+         z * (rays[2] * x + rays[4] * y + rays[5] * z);
 }
 
 void RegionContacts::clear() {
@@ -62,51 +40,68 @@ class ContactSearch {
         bridge_(bridge),
         residual2_(residual * residual),
         labels_(map.labels.data()),
-        borders_(memory.borders),
-        last_row_(memory.last_row),
+        memory_(memory),
         contacts_(contacts) {}
 
   void search() {
-    borders_.resize(image_.width);
-    last_row_.assign(static_cast<std::size_t>(image_.width), -bridge_ - 2);  // out of reach
+    memory_.borders.resize(image_.width);
+    memory_.upper_labelled.assign(wordsOf(image_.width), 0);
+    memory_.last_row.assign(static_cast<std::size_t>(image_.width), -bridge_ - 2);  // out of reach
     for (int row = 0; row < image_.height; ++row) {
-      markBorders(labels_, image_.width, row, borders_);
-      last_column_ = -bridge_ - 2;
-      for (std::size_t word = 0; word < borders_.left.size(); ++word) {
-        const int place = static_cast<int>(word) * 64;
-        const std::uint64_t labelled = borders_.labelled[word];
-        forEachBit(borders_.left[word], place, [&](int column) { meetLeft(row, column); });
-        forEachBit(borders_.above[word] & ~labelled, place,
-                   [&](int column) { last_row_[static_cast<std::size_t>(column)] = row - 1; });
-        forEachBit(borders_.above[word] & labelled, place, [&](int column) { meetAbove(row, column); });
-      }
+      memory_.borders.mark(labels_, image_.width, image_.height, row);
+      listPixels();
+      for (const int column : memory_.left) addContact(row, column, row, column - 1);
+      for (const int column : memory_.above) addContact(row, column, row - 1, column);
+      for (const int column : memory_.left_gap) meetAcross(row, column, row, lastLabelled(column), 1);
+      for (const int column : memory_.above_gap)
+        meetAcross(row, column, lastRow(column), column, static_cast<std::size_t>(image_.width));
+      for (const int column : memory_.ends) lastRow(column) = row - 1;
+      std::swap(memory_.upper_labelled, memory_.borders.labelled);
     }
   }
 
  private:
-  std::int32_t labelAt(int row, int column) const { return labels_[image_.index(row, column)]; }
-
-  void meetLeft(int row, int column) {
-    if (labelAt(row, column - 1) != 0) last_column_ = column - 1;
-    if (labelAt(row, column) != 0 && column - last_column_ <= bridge_ + 1) meet(row, column, row, last_column_, 1);
+  void listPixels() {
+    for (PixelList* list : {&memory_.left, &memory_.above, &memory_.left_gap, &memory_.above_gap, &memory_.ends})
+      list->clear(image_.width);
+    for (std::size_t word = 0; word < memory_.upper_labelled.size(); ++word) {
+      const std::uint64_t labelled = memory_.borders.labelled[word];
+      const std::uint64_t left = memory_.borders.left[word] & labelled;
+      const std::uint64_t above = memory_.borders.above[word] & labelled;
+      const std::uint64_t left_labelled = fromLeft(memory_.borders.labelled, word);
+      const std::uint64_t upper_labelled = memory_.upper_labelled[word];
+      memory_.left.add(left & left_labelled, word);
+      memory_.above.add(above & upper_labelled, word);
+      memory_.left_gap.add(left & ~left_labelled, word);
+      memory_.above_gap.add(above & ~upper_labelled, word);
+      memory_.ends.add(upper_labelled & ~labelled, word);
+    }
   }
 
-  void meetAbove(int row, int column) {
-    const bool touches = labelAt(row - 1, column) != 0;
-    const int upper_row = touches ? row - 1 : last_row_[static_cast<std::size_t>(column)];
-    if (row - upper_row <= bridge_ + 1) meet(row, column, upper_row, column, static_cast<std::size_t>(image_.width));
+  int& lastRow(int column) { return memory_.last_row[static_cast<std::size_t>(column)]; }
+
+  /// The last pixel with a label before an unlabelled one on this row.
+  int lastLabelled(int column) const {
+    auto word = static_cast<std::size_t>(column) / 64;
+    std::uint64_t bits = memory_.borders.labelled[word] & ((std::uint64_t{1} << column % 64) - 1);
+    while (bits == 0 && word > 0) bits = memory_.borders.labelled[--word];
+    return bits == 0 ? -bridge_ - 2 : static_cast<int>(64 * word) + 63 - __builtin_clzll(bits);
   }
 
-  void meet(int row, int column, int other_row, int other_column, std::size_t step) {
-    const std::int32_t label = labelAt(row, column);
-    const std::int32_t other = labelAt(other_row, other_column);
-    if (label == other || seesBehind(image_.index(other_row, other_column), image_.index(row, column), step)) return;
-    contacts_[{other, label}].add(image_, row, column, other_row, other_column);
+  void addContact(int row, int column, int other_row, int other_column) {
+    const RegionPair pair(labels_[image_.index(other_row, other_column)], labels_[image_.index(row, column)]);
+    contacts_[pair].add(image_, row, column, other_row, other_column);
+  }
+
+  void meetAcross(int row, int column, int other_row, int other_column, std::size_t step) {
+    if (row - other_row > bridge_ + 1 || column - other_column > bridge_ + 1) return;
+    const std::size_t first = image_.index(other_row, other_column), second = image_.index(row, column);
+    if (labels_[first] == labels_[second] || seesBehind(first, second, step)) return;
+    addContact(row, column, other_row, other_column);
   }
 
   /// Something between the two pixels lies farther away than both: a groove or a gap parts them.
   bool seesBehind(std::size_t first, std::size_t second, std::size_t step) const {
-    if (first + step == second) return false;
     const std::size_t farther = image_.w[first] < image_.w[second] ? first : second;
     const auto weight = static_cast<double>(image_.weight[farther]);
     for (std::size_t between = first + step; between < second; between += step) {
@@ -120,9 +115,7 @@ class ContactSearch {
   int bridge_;
   double residual2_;
   const std::int32_t* labels_;
-  RowBorders& borders_;
-  std::vector<int>& last_row_;
-  int last_column_ = 0;  ///< the same, on this row
+  ContactSearchMemory& memory_;
   RegionContacts& contacts_;
 };
 

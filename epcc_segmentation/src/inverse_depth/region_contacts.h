@@ -13,9 +13,8 @@ namespace epcc {
 
 /// Where two regions meet.
 struct Contact {
-  int count = 0;  ///< places
-  /// Sum of ray ray^T / sigma^2 over them; it is symmetric.
-  double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
+  int count = 0;          ///< places
+  double rays[6] = {};    ///< sum of ray ray^T / sigma^2 over them, the upper triangle: xx, xy, xz, yy, yz, zz
 
   /// Adds one place, between two pixels.
   void add(const InverseDepthImage& image, int row, int column, int other_row, int other_column);
@@ -23,6 +22,21 @@ struct Contact {
   /// Sum of (q . ray)^2 / sigma^2 over the places.
   double squares(const Eigen::Vector3d& q) const;
 };
+
+inline void Contact::add(const InverseDepthImage& image, int row, int column, int other_row, int other_column) {
+  const auto weightAt = [&image](int r, int c) { return static_cast<double>(image.weight[image.index(r, c)]); };
+  const auto middle = [](const std::vector<double>& coordinate, int i, int j) {
+    return 0.5 * (coordinate[static_cast<std::size_t>(i)] + coordinate[static_cast<std::size_t>(j)]);
+  };
+  const double weight = 0.5 * (weightAt(row, column) + weightAt(other_row, other_column));
+  const double x = middle(image.across, column, other_column);
+  const double y = middle(image.along, row, other_row);
+  const double z = middle(image.forward, column, other_column);
+  const double wx = weight * x, wy = weight * y, wz = weight * z;
+  const double products[6] = {wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
+  for (int k = 0; k < 6; ++k) rays[k] += products[k];
+  ++count;
+}
 
 /// The contacts of pairs of regions. Keeps its memory from frame to frame.
 class RegionContacts {
@@ -43,7 +57,11 @@ class RegionContacts {
 /// What the search for contacts remembers of the lines, kept from frame to frame.
 struct ContactSearchMemory {
   RowBorders borders;
-  std::vector<int> last_row;  ///< per column: the last row with a label above the pixels without one
+  RowBits upper_labelled;                  ///< of the row above
+  PixelList left, above;                   ///< pixels whose neighbour has another label
+  PixelList left_gap, above_gap;           ///< pixels whose neighbour has none
+  PixelList ends;                          ///< pixels without a label below one with
+  std::vector<int> last_row;               ///< per column: the last row with a label above the pixels without one
 };
 
 /// Regions whose labels follow each other on a row or column across at most `bridge` unlabelled pixels, none of which
@@ -61,7 +79,8 @@ struct OcclusionMemory {
     int row, line;
   };
   std::vector<Plane> planes;             ///< per label
-  RowBorders borders;
+  RowBits left, above;
+  PixelList columns;
   std::vector<int> begins;               ///< of the runs on a line
   std::vector<Begin> begins_on_columns;  ///< in the order of rows
   std::vector<int> sorted_begins;        ///< their rows, in that of columns

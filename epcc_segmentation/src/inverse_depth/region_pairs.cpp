@@ -6,7 +6,7 @@ namespace epcc {
 
 namespace {
 
-constexpr int kFirstBits = 10;  // of the table's size
+constexpr int kFirstBits = 12;  // of the table's size
 
 }  // namespace
 
@@ -20,7 +20,6 @@ void RegionPairTable::clear() {
   for (auto entry = filled_.rbegin(); entry != filled_.rend(); ++entry) entries_[find(entry->key)].key = 0;
   filled_.clear();
   pairs_.clear();
-  last_ = Entry();
 }
 
 void RegionPairTable::assign(const RegionPair& pair, int number) {
@@ -38,8 +37,7 @@ int RegionPairTable::insert(std::size_t place, const RegionPair& pair) {
 void RegionPairTable::fill(std::size_t place, const Entry& entry) {
   filled_.push_back(entry);
   entries_[place] = entry;
-  last_ = entry;
-  if (2 * filled_.size() > entries_.size()) resize(64 - shift_ + 1);
+  if (4 * filled_.size() > entries_.size()) resize(64 - shift_ + 1);
 }
 
 void RegionPairTable::resize(int bits) {

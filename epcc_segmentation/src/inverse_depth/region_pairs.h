@@ -14,7 +14,7 @@ struct RegionPair {
   RegionPair(std::int32_t a, std::int32_t b) : low(a < b ? a : b), high(a < b ? b : a) {}
 };
 
-/// The numbers of pairs of labels that are not 0. A table with open addressing, at most half full: its memory and time
+/// The numbers of pairs of labels that are not 0. A table with open addressing, at most a quarter full: its memory and time
 /// grow with the pairs there are, not with the square of the regions, and on real frames it stays in the cache.
 class RegionPairTable {
  public:
@@ -24,12 +24,8 @@ class RegionPairTable {
 
   /// The number of a pair. A new pair gets the next one.
   int add(const RegionPair& pair) {
-    const std::uint64_t key = keyOf(pair);
-    if (key == last_.key) return last_.number;  // borders come in runs
-    const std::size_t place = find(key);
-    if (entries_[place].key == 0) return insert(place, pair);
-    last_ = entries_[place];
-    return last_.number;
+    const std::size_t place = find(keyOf(pair));
+    return entries_[place].key == 0 ? insert(place, pair) : entries_[place].number;
   }
   /// The number of a pair, or -1.
   int numberOf(const RegionPair& pair) const {
@@ -66,7 +62,6 @@ class RegionPairTable {
   int shift_ = 0;               // of a product to a place
   std::vector<Entry> filled_;   // those that are not free, in the order of their coming
   std::vector<RegionPair> pairs_;
-  Entry last_;
 };
 
 }  // namespace epcc

@@ -163,19 +163,21 @@ std::vector<Bending> measureBending(const InverseDepthImage& image, const Region
       view_of[k + 1] = static_cast<std::int32_t>(views.size());
       views.emplace_back(map.regions[k], !image.planar_rows);
     }
-  RowBits left((static_cast<std::size_t>(image.width) + 63) / 64, 0);
+  RowBits left(wordsOf(image.width), 0);
+  PixelList begins;
   for (int row = 0; row < image.height; ++row) {
     const bool on_grid = std::any_of(views.begin(), views.end(), [row](const RegionView& v) { return v.isOnGrid(row); });
     if (!on_grid) continue;
-    markLeftBorders(map.labels.data(), image.width, row, left);
+    markLeftBorders(map.labels.data(), image.width, image.height, row, left);
+    begins.clear(image.width);
+    for (std::size_t word = 0; word < left.size(); ++word) begins.add(left[word], word);
     int begin = 0;
     const auto sampleRun = [&](int end) {
       const std::int32_t k = view_of[static_cast<std::size_t>(map.labels[image.index(row, begin)])];
       if (k >= 0) views[static_cast<std::size_t>(k)].addRun(image, row, begin, end);
       begin = end;
     };
-    for (std::size_t word = 0; word < left.size(); ++word)
-      forEachBit(left[word], static_cast<int>(word) * 64, sampleRun);
+    for (const int end : begins) sampleRun(end);
     sampleRun(image.width);
   }
   std::vector<Bending> result(map.regions.size());
