@@ -3,7 +3,6 @@
 #include "inverse_depth/boundary_refinement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -19,22 +18,23 @@ class Refiner {
       : image_(image),
         parameters_(parameters.expert.refinement),
         labels_(map.labels.data()),
+        words_(wordsOf(image.width)),
         memory_(memory),
-        frontier_(memory.frontier),
-        changes_(memory.changes) {
+        frontier_(memory.frontier) {
     memory_.planes.assign(map.regions.size() + 1, RefinedPlane());
     for (std::size_t k = 0; k < map.regions.size(); ++k) {
       if (map.regions[k].n <= 0.0) continue;
       const RegionPlane plane(map.regions[k]);
       memory_.planes[k + 1] = {plane.q.x(), plane.q.y(), plane.q.z(), 1.0 / std::sqrt(plane.slope_factor)};
     }
-    if (memory_.queued.size() != map.labels.size()) memory_.queued.assign(map.labels.size(), 0);
   }
 
   void run() {
     sweepBorders();
     memory_.creases.count(parameters_);
-    for (int pass = 0; pass < parameters_.passes && !frontier_.empty(); ++pass) {
+    for (int pass = 0; pass < parameters_.passes; ++pass) {
+      listFrontier();
+      if (frontier_.empty()) break;
       use_creases_ = pass < parameters_.crease_passes;
       refineFrontier();
     }
@@ -42,6 +42,8 @@ class Refiner {
 
  private:
   using Pixel = RefinementMemory::Pixel;
+  using Choice = RefinementMemory::Choice;
+  using Candidate = RefinementMemory::Candidate;
 
   const RefinedPlane& planeOf(std::int32_t label) const { return memory_.planes[static_cast<std::size_t>(label)]; }
   double planeAt(std::int32_t label, Pixel pixel) const {
@@ -55,30 +57,26 @@ class Refiner {
   // One sweep over the image: where two labels meet, the pixels that see another label join the frontier and the crease
   // is voted.
   void sweepBorders() {
-    frontier_.clear();
     memory_.creases.clear();
-    for (RowBorders* borders : {&memory_.borders, &memory_.upper}) borders->resize(image_.width);
-    const std::size_t words = memory_.borders.left.size();
-    for (RowBits* bits : {&memory_.frontier_bits, &memory_.upper_frontier}) bits->assign(words, 0);
+    memory_.borders.resize(image_.width);
+    memory_.upper_labelled.assign(words_, 0);
+    memory_.next.assign(words_ * static_cast<std::size_t>(image_.height), 0);
     for (int row = 0; row < image_.height; ++row) {
-      std::swap(memory_.borders, memory_.upper);
-      std::swap(memory_.frontier_bits, memory_.upper_frontier);
       memory_.borders.mark(labels_, image_.width, image_.height, row);
-      markFrontier();
+      markFrontier(row);
       voteCreases(row);
-      if (row > 0) listFrontier(row - 1, memory_.upper_frontier);
+      std::swap(memory_.borders.labelled, memory_.upper_labelled);
     }
-    if (image_.height > 0) listFrontier(image_.height - 1, memory_.frontier_bits);
   }
 
   // Of a row by its neighbours to the left, to the right and above, and of the row above by this one.
-  void markFrontier() {
+  void markFrontier(int row) {
     const auto& [left, above, labelled] = memory_.borders;
-    for (std::size_t word = 0; word < left.size(); ++word) {
-      memory_.frontier_bits[word] = (left[word] & fromLeft(labelled, word)) |
-                                    (fromRight(left, word) & fromRight(labelled, word)) |
-                                    (above[word] & memory_.upper.labelled[word]);
-      memory_.upper_frontier[word] |= above[word] & labelled[word];
+    std::uint64_t* here = memory_.next.data() + words_ * static_cast<std::size_t>(row);
+    for (std::size_t word = 0; word < words_; ++word) {
+      here[word] = (left[word] & fromLeft(labelled, word)) | (fromRight(left, word) & fromRight(labelled, word)) |
+                   (above[word] & memory_.upper_labelled[word]);
+      if (row > 0) (here - words_)[word] |= above[word] & labelled[word];
     }
   }
 
@@ -90,16 +88,8 @@ class Refiner {
     for (const int column : memory_.list) voteCrease({row, column - 1}, {row, column});
     memory_.list.clear(image_.width);
     for (std::size_t word = 0; word < left.size(); ++word)
-      memory_.list.add(above[word] & labelled[word] & memory_.upper.labelled[word], word);
+      memory_.list.add(above[word] & labelled[word] & memory_.upper_labelled[word], word);
     for (const int column : memory_.list) voteCrease({row - 1, column}, {row, column});
-  }
-
-  void listFrontier(int row, const RowBits& bits) {
-    const float* w = image_.w.data() + image_.index(row, 0);
-    memory_.list.clear(image_.width);
-    for (std::size_t word = 0; word < bits.size(); ++word) memory_.list.add(bits[word], word);
-    for (const int column : memory_.list)
-      if (w[column] > 0.0f) frontier_.push_back({row, column});
   }
 
   /// Votes on both sides of the border between a and b, b one step down or to the right.
@@ -119,127 +109,145 @@ class Refiner {
   }
 
   // ---- frontier ----
-  // All decisions of a pass are made from the labels before it: their order is of no importance.
+  // All decisions of a pass are made from the labels before it: their order is of no importance. Which way a pixel
+  // decides is hard to predict, so that each question is put to all of them before the next one.
   void refineFrontier() {
-    changes_.clear();
-    for (const Pixel pixel : frontier_) {
-      const std::int32_t label = bestLabel(pixel);
-      if (label != labels_[image_.index(pixel.row, pixel.column)]) changes_.push_back({pixel, label});
+    constexpr std::size_t kPart = 256;  // pixels: what is noted of them stays in the cache
+    memory_.changes.clear();
+    memory_.choices.resize(kPart);
+    memory_.candidates.resize(4 * kPart + 1);
+    memory_.at_crease.resize(4 * kPart + 1);
+    for (std::size_t begin = 0; begin < frontier_.size(); begin += kPart) {
+      const std::size_t count = std::min(kPart, frontier_.size() - begin);
+      const Pixel* pixels = frontier_.data() + begin;
+      listCandidates(pixels, count);
+      measureCandidates(pixels);
+      askCreases();
+      choose();
+      for (std::size_t k = 0; k < count; ++k)
+        if (memory_.choices[k].best != memory_.choices[k].current)
+          memory_.changes.push_back({pixels[k], memory_.choices[k].best});
     }
+    applyChanges();
+  }
+
+  /// From bits to pixels, row by row.
+  void listFrontier() {
     frontier_.clear();
-    for (const RefinementMemory::Change& change : changes_) {
+    for (int row = 0; row < image_.height; ++row) {
+      std::uint64_t* bits = memory_.next.data() + words_ * static_cast<std::size_t>(row);
+      memory_.list.clear(image_.width);
+      for (std::size_t word = 0; word < words_; ++word) {
+        memory_.list.add(bits[word], word);
+        bits[word] = 0;
+      }
+      for (const int column : memory_.list) frontier_.push_back({row, column});
+    }
+  }
+
+  // The labels of the four neighbours, but none twice running, of pixels with a depth. Each is written down and the
+  // count decides whether it stays. Beyond the image is the pixel itself.
+  void listCandidates(const Pixel* pixels, std::size_t pixel_count) {
+    Candidate* candidates = memory_.candidates.data();
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < pixel_count; ++k) {
+      const Pixel pixel = pixels[k];
+      const std::size_t index = image_.index(pixel.row, pixel.column);
+      const std::int32_t* label = labels_ + index;
+      const bool has_depth = image_.w[index] > 0.0f;
+      const std::int32_t current = *label;
+      memory_.choices[k] = {current, current, 0.0};
+      const std::int32_t neighbours[4] = {
+          label[pixel.column > 0 ? -1 : 0], label[pixel.column + 1 < image_.width ? 1 : 0],
+          label[pixel.row > 0 ? -image_.width : 0], label[pixel.row + 1 < image_.height ? image_.width : 0]};
+      std::int32_t last = 0;
+      for (const std::int32_t other : neighbours) {
+        candidates[count].choice = static_cast<std::int32_t>(k);
+        candidates[count].label = other;
+        const int counts = has_depth & (other != 0) & (other != current) & (other != last);
+        last ^= (last ^ other) & -counts;  // no branch
+        count += static_cast<std::size_t>(counts);
+      }
+    }
+    memory_.candidate_count = count;
+  }
+
+  void measureCandidates(const Pixel* pixels) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < memory_.candidate_count; ++k) {
+      Candidate& candidate = memory_.candidates[k];
+      const Pixel pixel = pixels[candidate.choice];
+      Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
+      const std::size_t index = image_.index(pixel.row, pixel.column);
+      const auto w = static_cast<double>(image_.w[index]);
+      const double inverse_sigma = std::sqrt(static_cast<double>(image_.weight[index]));
+      const double on_current = planeAt(choice.current, pixel), on_other = planeAt(candidate.label, pixel);
+      const double error = std::abs(w - on_current) * inverse_sigma * planeOf(choice.current).inverse_slope;
+      candidate.error = choice.current != 0 ? error : parameters_.max_residual;
+      candidate.other_error = std::abs(w - on_other) * inverse_sigma * planeOf(candidate.label).inverse_slope;
+      candidate.difference = on_current - on_other;
+      candidate.verdict = Verdict::Residual;
+      choice.least = candidate.error;
+      const double range = parameters_.crease_range;
+      const bool near = (choice.current != 0) & (candidate.error <= range) & (candidate.other_error <= range) &
+                        (std::abs(candidate.difference) * inverse_sigma <= range);
+      memory_.at_crease[count] = k;
+      count += near ? 1 : 0;
+    }
+    memory_.at_crease_count = use_creases_ ? count : 0;
+  }
+
+  // On a crease the geometry decides which of two planes is the surface, unless that costs too much.
+  void askCreases() {
+    for (std::size_t i = 0; i < memory_.at_crease_count; ++i) {
+      Candidate& candidate = memory_.candidates[memory_.at_crease[i]];
+      const Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
+      const Crease kind = memory_.creases.kindOf(choice.current, candidate.label);
+      const bool current_is_surface =
+          kind == Crease::Convex ? candidate.difference <= 0.0 : candidate.difference >= 0.0;
+      const bool cheap = candidate.other_error < candidate.error + parameters_.crease_slack;
+      const Verdict verdict = !current_is_surface & cheap ? Verdict::Flip : Verdict::Keep;
+      candidate.verdict = kind == Crease::Unknown ? Verdict::Residual : verdict;
+    }
+  }
+
+  void choose() {
+    for (std::size_t k = 0; k < memory_.candidate_count; ++k) {
+      const Candidate& candidate = memory_.candidates[k];
+      Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
+      const double gain = choice.current != 0 ? parameters_.flip_gain : 0.0;
+      const bool better = (candidate.other_error < candidate.error - gain) & (candidate.other_error < choice.least);
+      const bool flips = (candidate.verdict == Verdict::Flip) | ((candidate.verdict == Verdict::Residual) & better);
+      if (!flips) continue;
+      choice.best = candidate.label;
+      choice.least = std::min(choice.least, candidate.other_error);
+    }
+  }
+
+  // The pixels that changed and those beside them are the next frontier.
+  void applyChanges() {
+    for (const RefinementMemory::Change& change : memory_.changes) {
       const auto [row, column] = change.pixel;
       labels_[image_.index(row, column)] = change.label;
-      enqueue({row, column});
-      if (column > 0) enqueue({row, column - 1});
-      if (column + 1 < image_.width) enqueue({row, column + 1});
-      if (row > 0) enqueue({row - 1, column});
-      if (row + 1 < image_.height) enqueue({row + 1, column});
+      lookAgainAt(row, column);
+      if (column > 0) lookAgainAt(row, column - 1);
+      if (column + 1 < image_.width) lookAgainAt(row, column + 1);
+      if (row > 0) lookAgainAt(row - 1, column);
+      if (row + 1 < image_.height) lookAgainAt(row + 1, column);
     }
-    for (const Pixel pixel : frontier_) memory_.queued[image_.index(pixel.row, pixel.column)] = 0;
   }
 
-  void enqueue(Pixel pixel) {
-    const std::size_t index = image_.index(pixel.row, pixel.column);
-    if (memory_.queued[index] != 0 || !(image_.w[index] > 0.0f)) return;
-    memory_.queued[index] = 1;
-    frontier_.push_back(pixel);
-  }
-
-  /// A pixel as its candidates see it.
-  struct View {
-    double w, inverse_sigma, across, along, forward;
-
-    double planeAt(const RefinedPlane& plane) const { return plane.x * across + plane.y * along + plane.z * forward; }
-    /// Residual on a plane, in sigma across the surface.
-    double error(const RefinedPlane& plane) const {
-      return std::abs(w - planeAt(plane)) * inverse_sigma * plane.inverse_slope;
-    }
-  };
-
-  std::int32_t bestLabel(Pixel pixel) const {
-    const std::size_t index = image_.index(pixel.row, pixel.column);
-    const std::int32_t* label = labels_ + index;
-    const std::int32_t current = *label;
-    // Neighbours are seldom predictable: each is written down and the count decides whether it stays. Beyond the image
-    // is the pixel itself.
-    const std::int32_t neighbours[4] = {label[pixel.column > 0 ? -1 : 0], label[pixel.column + 1 < image_.width ? 1 : 0],
-                                        label[pixel.row > 0 ? -image_.width : 0],
-                                        label[pixel.row + 1 < image_.height ? image_.width : 0]};
-    std::array<std::int32_t, 6> others = {};  // [0] is none
-    std::size_t count = 0;
-    for (const std::int32_t other : neighbours) {
-      const bool counts = (other != 0) & (other != current) & (other != others[count]);
-      others[count + 1] = other;
-      count += counts ? 1 : 0;
-    }
-    if (count == 0) return current;
-
-    const View view = {static_cast<double>(image_.w[index]), std::sqrt(static_cast<double>(image_.weight[index])),
-                       image_.across[static_cast<std::size_t>(pixel.column)],
-                       image_.along[static_cast<std::size_t>(pixel.row)],
-                       image_.forward[static_cast<std::size_t>(pixel.column)]};
-    return current == 0 ? nearestPlane(view, others.data() + 1, count) : betterPlane(current, view, others.data() + 1, count);
-  }
-
-  /// An unlabelled pixel joins the plane with the smallest residual.
-  std::int32_t nearestPlane(const View& view, const std::int32_t* others, std::size_t count) const {
-    std::int32_t best = 0;
-    double least = parameters_.max_residual;
-    for (std::size_t k = 0; k < count; ++k) {
-      if (others[k] == best) continue;
-      const double error = view.error(planeOf(others[k]));
-      if (error < least) least = error, best = others[k];
-    }
-    return best;
-  }
-
-  /// A labelled one changes sides if the crease says so or, where it does not know, for a gain in its residual.
-  std::int32_t betterPlane(std::int32_t current, const View& view, const std::int32_t* others,
-                           std::size_t count) const {
-    const RefinedPlane& plane = planeOf(current);
-    const double error = view.error(plane);
-    double least = error;
-    std::int32_t best = current;
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::int32_t other = others[k];
-      if (other == best) continue;
-      const double other_error = view.error(planeOf(other));
-      switch (creaseDecision(current, other, view, error, other_error)) {
-        case Decision::Keep:
-          continue;
-        case Decision::Flip:
-          least = std::min(least, other_error), best = other;
-          continue;
-        case Decision::Residual:
-          break;
-      }
-      if (other_error < error - parameters_.flip_gain && (best == current || other_error < least))
-        least = other_error, best = other;
-    }
-    return best;
-  }
-
-  enum class Decision { Keep, Flip, Residual };
-  Decision creaseDecision(std::int32_t current, std::int32_t other, const View& view, double current_error,
-                          double other_error) const {
-    if (!use_creases_) return Decision::Residual;
-    if (current_error > parameters_.crease_range || other_error > parameters_.crease_range) return Decision::Residual;
-    const double difference = view.planeAt(planeOf(current)) - view.planeAt(planeOf(other));
-    if (std::abs(difference) * view.inverse_sigma > parameters_.crease_range) return Decision::Residual;
-    const Crease kind = memory_.creases.kindOf(current, other);
-    if (kind == Crease::Unknown) return Decision::Residual;
-    const bool current_is_surface = kind == Crease::Convex ? difference <= 0.0 : difference >= 0.0;
-    if (current_is_surface) return Decision::Keep;
-    return other_error < current_error + parameters_.crease_slack ? Decision::Flip : Decision::Keep;
+  void lookAgainAt(int row, int column) {
+    const auto bit = static_cast<std::size_t>(column);
+    memory_.next[words_ * static_cast<std::size_t>(row) + bit / 64] |= std::uint64_t{1} << bit % 64;
   }
 
   const InverseDepthImage& image_;
   const InverseDepthParameters::Refinement& parameters_;
   std::int32_t* labels_;
+  std::size_t words_;  // of a row's bits
   RefinementMemory& memory_;
   std::vector<Pixel>& frontier_;
-  std::vector<RefinementMemory::Change>& changes_;
   bool use_creases_ = true;
 };
 

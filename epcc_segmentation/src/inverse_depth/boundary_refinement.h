@@ -2,6 +2,7 @@
 // S5: pixels along the borders of regions find the plane that explains them best.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct RefinedPlane {
   double inverse_slope = 1e300;       ///< 1 / sqrt(slope factor); huge where there is no plane: all are far from it
 };
 
+/// What a crease says of a pixel: keep your label, take the other, or look at the residuals.
+enum class Verdict : std::uint8_t { Residual, Keep, Flip };
+
 /// Lists as long as the borders, kept from frame to frame.
 struct RefinementMemory {
   struct Pixel {
@@ -27,14 +31,31 @@ struct RefinementMemory {
     Pixel pixel;
     std::int32_t label;
   };
+  /// A pixel of the frontier, what it is and what it may become in this pass.
+  struct Choice {
+    std::int32_t current, best;
+    double least;  ///< residual
+  };
+  /// A label that a pixel of the frontier sees beside it.
+  struct Candidate {
+    std::int32_t choice, label;
+    double error, other_error;  ///< residuals on the plane that it has and on this one, in sigma across the surface
+    double difference;          ///< of the planes
+    Verdict verdict;
+  };
   std::vector<RefinedPlane> planes;  ///< per label
-  std::vector<Pixel> frontier;       ///< to look at in the next pass
-  std::vector<std::uint8_t> queued;  ///< per pixel: already in the frontier; 0 between passes
-  std::vector<Change> changes;       ///< of a pass
-  RowBorders borders, upper;         ///< of a row and of the one above
-  RowBits frontier_bits, upper_frontier;
-  PixelList list;
+  RowBorders borders;                ///< of a row
+  RowBits upper_labelled;            ///< of the one above
   CreaseVotes creases;
+  RowBits next;                 ///< row after row: pixels to look at in the next pass
+  PixelList list;               ///< some of a row
+  std::vector<Pixel> frontier;  ///< to look at in this pass
+  std::vector<Change> changes;  ///< of a pass
+  // Of a part of the frontier. They are longer than what they hold, so as not to be filled each time.
+  std::vector<Choice> choices;
+  std::vector<Candidate> candidates;
+  std::vector<std::size_t> at_crease;  ///< the candidates for which a crease may decide
+  std::size_t candidate_count = 0, at_crease_count = 0;
 };
 
 /// Refines the labels with the planes of the regions' present moments; the moments are not updated.
