@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// S4: best-first queue over pairs of regions, stale entries skipped by version.
+// S4: best-first queue over pairs of regions. An entry that is out of date when its turn comes is judged once more.
 #include "inverse_depth/region_merging.h"
 
 #include <algorithm>
@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kMaxSlopeFactor = 26.0;  // slopeFactor() is clipped
+constexpr double kGrowth = 1.1;           // of a region's pixels, until all its contacts are judged again
 
 }  // namespace
 
@@ -30,7 +31,10 @@ void RegionMerger::merge(RegionContacts& contacts, const InverseDepthParameters&
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<Candidate>());
     const Candidate next = queue_.back();
     queue_.pop_back();
-    if (next.version_a != version(next.a) || next.version_b != version(next.b)) continue;
+    if (!isFresh(next)) {
+      judge(next.contact);
+      continue;
+    }
     PlaneMoments& moved = map.regions[static_cast<std::size_t>(next.b) - 1];
     map.regions[static_cast<std::size_t>(next.a) - 1] += moved;
     moved = PlaneMoments();
@@ -53,6 +57,7 @@ void RegionMerger::begin(const RegionMap& map) {
     if (k == 0) continue;
     nodes_[k].sums = RegionSums(map.regions[k - 1]);
     nodes_[k].plane = SumsPlane(nodes_[k].sums);
+    nodes_[k].judged_n = nodes_[k].sums.n;
   }
 }
 
@@ -81,7 +86,7 @@ void RegionMerger::judge(int number) {
   const double merge_cost = cost(a, b, contact(number));
   if (!(merge_cost <= 1.0)) return;
   const std::int32_t low = std::min(a.label, b.label), high = std::max(a.label, b.label);
-  queue_.push_back({merge_cost, low, high, version(low), version(high)});
+  queue_.push_back({merge_cost, low, high, number, version(low), version(high)});
   std::push_heap(queue_.begin(), queue_.end(), std::greater<Candidate>());
 }
 
@@ -121,7 +126,13 @@ double RegionMerger::cost(const Node& a, const Node& b, const Contact& contact) 
   return (plane.rss - a.plane.rss - b.plane.rss) / (tolerance * plane.slope_factor);
 }
 
-// b becomes part of a.
+/// The regions are as they were when the cost was found.
+bool RegionMerger::isFresh(const Candidate& candidate) {
+  return candidate.version_a == version(candidate.a) && candidate.version_b == version(candidate.b);
+}
+
+// b becomes part of a. The plane of a large region hardly moves when a fragment joins it: of its contacts only those
+// that changed are judged again, the others when their turn comes or when the region has grown.
 void RegionMerger::mergeLabels(std::int32_t a, std::int32_t b) {
   int into = nodeOf(a), from = nodeOf(b);
   if (node(into).contacts < node(from).contacts) std::swap(into, from);
@@ -133,25 +144,39 @@ void RegionMerger::mergeLabels(std::int32_t a, std::int32_t b) {
   new_label_[static_cast<std::size_t>(b)] = a;
   ++version(a);
   ++version(b);
-  moveContacts(from, into);
-  judgeAll(merged);
+  const auto hasGrown = [&merged](const Node& part) { return merged.sums.n > kGrowth * part.judged_n; };
+  to_judge_.clear();
+  moveContacts(from, into, hasGrown(node(from)));
+  if (hasGrown(merged)) {
+    merged.judged_n = merged.sums.n;
+    judgeAll(merged);
+  } else {
+    for (const int number : to_judge_) judge(number);
+  }
 }
 
-void RegionMerger::moveContacts(int from, int into) {
+// The contacts that changed, and if so asked those that moved, are to be judged.
+void RegionMerger::moveContacts(int from, int into, bool judge_moved) {
   for (int end = node(from).first, next = -1; end >= 0; end = next) {
     next = nextOf(end);
-    Contact& moved = contact(end / 2);
+    const int number = end / 2;
     const int neighbour = nodeAt(end ^ 1);
-    if (moved.count == 0) continue;
-    const RegionPair pair(into, neighbour);
-    const int known = neighbour == into ? -1 : contacts_->table.numberOf(pair);
-    if (neighbour != into && known < 0) {
-      link(end, into);
-      contacts_->table.assign(pair, end / 2);
+    if (contact(number).count == 0) continue;
+    if (neighbour == into) {
+      contact(number).count = 0;
       continue;
     }
-    if (known >= 0) contact(known) += moved;
-    moved.count = 0;
+    const RegionPair pair(into, neighbour);
+    const int known = contacts_->table.numberOf(pair);
+    if (known >= 0) {
+      contact(known) += contact(number);
+      contact(number).count = 0;
+      to_judge_.push_back(known);
+    } else {
+      link(end, into);
+      contacts_->table.assign(pair, number);
+      if (judge_moved) to_judge_.push_back(number);
+    }
   }
 }
 

@@ -29,6 +29,7 @@ class RegionMerger {
     std::int32_t label = 0;  ///< the smallest of the regions
     int contacts = 0;        ///< at most so many
     int first = -1;          ///< end of a contact
+    double judged_n = 0.0;   ///< pixels when all its contacts were judged
     RegionSums sums;
     SumsPlane plane;
   };
@@ -36,6 +37,7 @@ class RegionMerger {
   struct Candidate {
     double cost;
     std::int32_t a, b;  ///< labels, a < b
+    int contact;
     int version_a, version_b;
     bool operator>(const Candidate& other) const {
       if (cost != other.cost) return cost > other.cost;
@@ -46,10 +48,11 @@ class RegionMerger {
   void begin(const RegionMap& map);
   void linkContacts();
   void link(int end, int node);
-  void judge(int contact);
+  void judge(int number);
   void judgeAll(Node& node);
+  bool isFresh(const Candidate& candidate);
   void mergeLabels(std::int32_t a, std::int32_t b);
-  void moveContacts(int from, int into);
+  void moveContacts(int from, int into, bool judge_moved);
   double cost(const Node& a, const Node& b, const Contact& contact) const;
   void dropSmallRegions(std::vector<PlaneMoments>& regions);
 
@@ -68,6 +71,7 @@ class RegionMerger {
   std::vector<int> node_of_, version_;   ///< per label
   std::vector<int> node_at_, next_;      ///< per end of a contact, 2 number and 2 number + 1: its node; the node's next
   std::vector<Candidate> queue_;         ///< a heap, the best on top
+  std::vector<int> to_judge_;            ///< contacts
   std::vector<std::int32_t> new_label_;  ///< per label
 };
 
