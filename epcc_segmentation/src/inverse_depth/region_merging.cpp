@@ -31,6 +31,7 @@ void RegionMerger::merge(RegionContacts& contacts, const InverseDepthParameters&
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<Candidate>());
     const Candidate next = queue_.back();
     queue_.pop_back();
+    if (!isLast(next)) continue;
     if (!isFresh(next)) {
       judge(next.contact);
       continue;
@@ -65,6 +66,7 @@ void RegionMerger::linkContacts() {
   const std::vector<RegionPair>& pairs = contacts_->table.pairs();
   node_at_.resize(2 * pairs.size());
   next_.resize(2 * pairs.size());
+  judgements_.assign(pairs.size(), Judgement());
   int end = 0;
   for (const RegionPair& pair : pairs) {
     link(end++, pair.low);
@@ -80,13 +82,17 @@ void RegionMerger::link(int end, int k) {
 }
 
 void RegionMerger::judge(int number) {
+  Judgement& judgement = judgements_[static_cast<std::size_t>(number)];
+  ++judgement.number;
   if (contact(number).count < parameters_.min_contacts) return;
   const Node& a = node(nodeAt(2 * number));
   const Node& b = node(nodeAt(2 * number + 1));
   const double merge_cost = cost(a, b, contact(number));
   if (!(merge_cost <= 1.0)) return;
   const std::int32_t low = std::min(a.label, b.label), high = std::max(a.label, b.label);
-  queue_.push_back({merge_cost, low, high, number, version(low), version(high)});
+  judgement.version_a = version(low);
+  judgement.version_b = version(high);
+  queue_.push_back({merge_cost, low, high, number, judgement.number});
   std::push_heap(queue_.begin(), queue_.end(), std::greater<Candidate>());
 }
 
@@ -126,9 +132,14 @@ double RegionMerger::cost(const Node& a, const Node& b, const Contact& contact) 
   return (plane.rss - a.plane.rss - b.plane.rss) / (tolerance * plane.slope_factor);
 }
 
+bool RegionMerger::isLast(const Candidate& candidate) const {
+  return candidate.judgement == judgements_[static_cast<std::size_t>(candidate.contact)].number;
+}
+
 /// The regions are as they were when the cost was found.
 bool RegionMerger::isFresh(const Candidate& candidate) {
-  return candidate.version_a == version(candidate.a) && candidate.version_b == version(candidate.b);
+  const Judgement& judgement = judgements_[static_cast<std::size_t>(candidate.contact)];
+  return judgement.version_a == version(candidate.a) && judgement.version_b == version(candidate.b);
 }
 
 // b becomes part of a. The plane of a large region hardly moves when a fragment joins it: of its contacts only those

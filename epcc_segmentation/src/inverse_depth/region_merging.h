@@ -33,16 +33,21 @@ class RegionMerger {
     RegionSums sums;
     SumsPlane plane;
   };
-  /// A possible merge; of equal costs the smaller labels go first, so that the order is always the same.
+  /// A possible merge; of equal costs the smaller labels go first, so that the order is always the same. Which of two is
+  /// better cannot be predicted: no branches.
   struct Candidate {
     double cost;
     std::int32_t a, b;  ///< labels, a < b
-    int contact;
-    int version_a, version_b;
+    int contact, judgement;
     bool operator>(const Candidate& other) const {
-      if (cost != other.cost) return cost > other.cost;
-      return a != other.a ? a > other.a : b > other.b;
+      return (cost > other.cost) |
+             ((cost == other.cost) & ((a > other.a) | ((a == other.a) & (b > other.b))));
     }
+  };
+  /// The last one of a contact.
+  struct Judgement {
+    int number = 0;  ///< counts them
+    int version_a = 0, version_b = 0;
   };
 
   void begin(const RegionMap& map);
@@ -50,6 +55,7 @@ class RegionMerger {
   void link(int end, int node);
   void judge(int number);
   void judgeAll(Node& node);
+  bool isLast(const Candidate& candidate) const;
   bool isFresh(const Candidate& candidate);
   void mergeLabels(std::int32_t a, std::int32_t b);
   void moveContacts(int from, int into, bool judge_moved);
@@ -71,6 +77,7 @@ class RegionMerger {
   std::vector<int> node_of_, version_;   ///< per label
   std::vector<int> node_at_, next_;      ///< per end of a contact, 2 number and 2 number + 1: its node; the node's next
   std::vector<Candidate> queue_;         ///< a heap, the best on top
+  std::vector<Judgement> judgements_;    ///< per contact
   std::vector<int> to_judge_;            ///< contacts
   std::vector<std::int32_t> new_label_;  ///< per label
 };
