@@ -16,7 +16,7 @@ namespace epcc {
 /// What the refinement knows of a region.
 struct RefinedPlane {
   double x = 0.0, y = 0.0, z = 0.0;  ///< q
-  double inverse_slope = 1e300;       ///< 1 / sqrt(slope factor); huge where there is no plane: all are far from it
+  double inverse_slope = 1e300;      ///< 1 / sqrt(slope factor); huge where there is no plane: all are far from it
 };
 
 /// What a crease says of a pixel: keep your label, take the other, or look at the residuals.

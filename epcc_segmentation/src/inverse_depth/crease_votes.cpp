@@ -10,8 +10,10 @@ void CreaseVotes::count(const InverseDepthParameters::Refinement& parameters) {
     const int total = v.convex + v.concave;
     Crease kind = Crease::Unknown;
     if (total >= parameters.crease_min_votes) {
-      if (v.convex >= parameters.crease_agreement * total) kind = Crease::Convex;
-      else if (v.concave >= parameters.crease_agreement * total) kind = Crease::Concave;
+      if (v.convex >= parameters.crease_agreement * total)
+        kind = Crease::Convex;
+      else if (v.concave >= parameters.crease_agreement * total)
+        kind = Crease::Concave;
     }
     kinds_.push_back(kind);
   }

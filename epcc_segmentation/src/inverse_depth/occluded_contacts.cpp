@@ -152,8 +152,9 @@ class OcclusionWalk {
     const auto w = static_cast<double>(image_.w[index]);
     if (!(w > 0.0)) return Place::Behind;  // a hole is no occluder
     const auto column = static_cast<std::size_t>(p.column);
-    const double error = w - (plane.x * image_.across[column] + plane.y * image_.along[static_cast<std::size_t>(p.row)] +
-                              plane.z * image_.forward[column]);
+    const double error =
+        w - (plane.x * image_.across[column] + plane.y * image_.along[static_cast<std::size_t>(p.row)] +
+             plane.z * image_.forward[column]);
     if (error * error * static_cast<double>(image_.weight[index]) <= plane.max_square) return Place::On;
     return error > 0.0 ? Place::InFront : Place::Behind;
   }

@@ -13,8 +13,8 @@ namespace epcc {
 
 /// Where two regions meet.
 struct Contact {
-  int count = 0;          ///< places
-  double rays[6] = {};    ///< sum of ray ray^T / sigma^2 over them, the upper triangle: xx, xy, xz, yy, yz, zz
+  int count = 0;        ///< places
+  double rays[6] = {};  ///< sum of ray ray^T / sigma^2 over them, the upper triangle: xx, xy, xz, yy, yz, zz
 
   /// Adds one place, between two pixels.
   void add(const InverseDepthImage& image, int row, int column, int other_row, int other_column);
@@ -57,11 +57,11 @@ class RegionContacts {
 /// What the search for contacts remembers of the lines, kept from frame to frame.
 struct ContactSearchMemory {
   RowBorders borders;
-  RowBits upper_labelled;                  ///< of the row above
-  PixelList left, above;                   ///< pixels whose neighbour has another label
-  PixelList left_gap, above_gap;           ///< pixels whose neighbour has none
-  PixelList ends;                          ///< pixels without a label below one with
-  std::vector<int> last_row;               ///< per column: the last row with a label above the pixels without one
+  RowBits upper_labelled;         ///< of the row above
+  PixelList left, above;          ///< pixels whose neighbour has another label
+  PixelList left_gap, above_gap;  ///< pixels whose neighbour has none
+  PixelList ends;                 ///< pixels without a label below one with
+  std::vector<int> last_row;      ///< per column: the last row with a label above the pixels without one
 };
 
 /// Regions whose labels follow each other on a row or column across at most `bridge` unlabelled pixels, none of which
@@ -78,7 +78,7 @@ struct OcclusionMemory {
   struct Begin {
     int row, line;
   };
-  std::vector<Plane> planes;             ///< per label
+  std::vector<Plane> planes;  ///< per label
   RowBits left, above;
   PixelList columns;
   std::vector<int> begins;               ///< of the runs on a line

@@ -16,8 +16,8 @@ namespace epcc {
 /// Merges regions best-first. Keeps its memory from frame to frame.
 class RegionMerger {
  public:
-  /// Merges until no two regions in contact are alike, then unlabels the regions with fewer than min_samples independent
-  /// samples. Labels and moments of `map` are updated; the contacts are used up.
+  /// Merges until no two regions in contact are alike, then unlabels the regions with fewer than min_samples
+  /// independent samples. Labels and moments of `map` are updated; the contacts are used up.
   void merge(RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
              RegionMap& map);
 
@@ -33,15 +33,14 @@ class RegionMerger {
     RegionSums sums;
     SumsPlane plane;
   };
-  /// A possible merge; of equal costs the smaller labels go first, so that the order is always the same. Which of two is
-  /// better cannot be predicted: no branches.
+  /// A possible merge; of equal costs the smaller labels go first, so that the order is always the same. Which of two
+  /// is better cannot be predicted: no branches.
   struct Candidate {
     double cost;
     std::int32_t a, b;  ///< labels, a < b
     int contact, judgement;
     bool operator>(const Candidate& other) const {
-      return (cost > other.cost) |
-             ((cost == other.cost) & ((a > other.a) | ((a == other.a) & (b > other.b))));
+      return (cost > other.cost) | ((cost == other.cost) & ((a > other.a) | ((a == other.a) & (b > other.b))));
     }
   };
   /// The last one of a contact.

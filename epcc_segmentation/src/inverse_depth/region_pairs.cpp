@@ -14,8 +14,8 @@ RegionPairTable::RegionPairTable() {
   resize(kFirstBits);
 }
 
-// A table that one crowded frame has made large costs the frames after it little: only what was filled is freed, the last
-// first, so that a search never ends at a place that was taken when its key came.
+// A table that one crowded frame has made large costs the frames after it little: only what was filled is freed, the
+// last first, so that a search never ends at a place that was taken when its key came.
 void RegionPairTable::clear() {
   for (auto entry = filled_.rbegin(); entry != filled_.rend(); ++entry) entries_[find(entry->key)].key = 0;
   filled_.clear();

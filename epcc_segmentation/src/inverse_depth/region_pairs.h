@@ -14,8 +14,8 @@ struct RegionPair {
   RegionPair(std::int32_t a, std::int32_t b) : low(a < b ? a : b), high(a < b ? b : a) {}
 };
 
-/// The numbers of pairs of labels that are not 0. A table with open addressing, at most a quarter full: its memory and time
-/// grow with the pairs there are, not with the square of the regions, and on real frames it stays in the cache.
+/// The numbers of pairs of labels that are not 0. A table with open addressing, at most a quarter full: its memory and
+/// time grow with the pairs there are, not with the square of the regions, and on real frames it stays in the cache.
 class RegionPairTable {
  public:
   RegionPairTable();

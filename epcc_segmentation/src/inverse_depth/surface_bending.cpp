@@ -64,7 +64,8 @@ class RegionView {
     Eigen::Matrix<double, 6, 6> normal_matrix;
     Terms right_side;
     for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j < 6; ++j) normal_matrix(i, j) = products_[kPowerOfU[i] + kPowerOfU[j]][kPowerOfV[i] + kPowerOfV[j]];
+      for (int j = 0; j < 6; ++j)
+        normal_matrix(i, j) = products_[kPowerOfU[i] + kPowerOfU[j]][kPowerOfV[i] + kPowerOfV[j]];
       right_side[i] = residuals_[kPowerOfU[i]][kPowerOfV[i]];
     }
     const Terms c = normal_matrix.ldlt().solve(right_side);
@@ -166,7 +167,8 @@ std::vector<Bending> measureBending(const InverseDepthImage& image, const Region
   RowBits left(wordsOf(image.width), 0);
   PixelList begins;
   for (int row = 0; row < image.height; ++row) {
-    const bool on_grid = std::any_of(views.begin(), views.end(), [row](const RegionView& v) { return v.isOnGrid(row); });
+    const bool on_grid =
+        std::any_of(views.begin(), views.end(), [row](const RegionView& v) { return v.isOnGrid(row); });
     if (!on_grid) continue;
     markLeftBorders(map.labels.data(), image.width, image.height, row, left);
     begins.clear(image.width);
