@@ -28,11 +28,20 @@ std::uint64_t compareSingly(const std::int32_t* a, const std::int32_t* b, std::s
 /// Bit i: a[i] != b[i], of 16 labels, in two bytes.
 HWY_INLINE void compareBlock(const std::int32_t* a, const std::int32_t* b, std::uint8_t* bytes) {
 #if HWY_TARGET == HWY_EMU128
-  // Masks are slow without instructions for them, but most blocks have no border.
-  std::int32_t any = 0;
-  for (std::size_t i = 0; i < kBlock; ++i) any |= a[i] ^ b[i];
-  const std::uint64_t bits = any == 0 ? 0 : compareSingly(a, b, kBlock);
-  bytes[0] = static_cast<std::uint8_t>(bits);
+  // Without instructions for masks each label brings its bit, and they are summed.
+  static constexpr std::int32_t kBit[kBlock] = {1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                                                1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+  const hn::CappedTag<std::int32_t, kBlock> d;
+  auto sum = hn::Zero(d);
+  for (std::size_t i = 0; i < kBlock; i += hn::MaxLanes(d)) {
+    const auto differs = hn::Ne(hn::LoadU(d, a + i), hn::LoadU(d, b + i));
+    sum = hn::Or(sum, hn::IfThenElseZero(differs, hn::LoadU(d, kBit + i)));
+  }
+  std::int32_t parts[hn::MaxLanes(d)];
+  hn::StoreU(sum, d, parts);
+  std::int32_t bits = 0;
+  for (const std::int32_t part : parts) bits |= part;
+  bytes[0] = static_cast<std::uint8_t>(bits & 0xff);
   bytes[1] = static_cast<std::uint8_t>(bits >> 8);
 #else
   const hn::CappedTag<std::int32_t, kBlock> d;

@@ -88,6 +88,10 @@ class OcclusionWalk {
   void walkLine(Pixel start, Pixel step, int length, std::vector<int>& begins) {
     line_start_ = start;
     line_step_ = step;
+    stride_ = static_cast<std::ptrdiff_t>(step.row) * image_.width + step.column;
+    first_ = static_cast<std::ptrdiff_t>(image_.index(start.row, start.column));
+    memory_.labels.clear();
+    for (const int begin : begins) memory_.labels.push_back(labels_[first_ + begin * stride_]);
     begins.push_back(length);
     begins_ = begins.data();
     runs_ = static_cast<int>(begins.size()) - 1;
@@ -104,10 +108,7 @@ class OcclusionWalk {
   Pixel pixelAt(int i) const {
     return {line_start_.row + i * line_step_.row, line_start_.column + i * line_step_.column};
   }
-  std::int32_t labelOf(int run) const {
-    const Pixel p = pixelAt(begin(run));
-    return labels_[image_.index(p.row, p.column)];
-  }
+  std::int32_t labelOf(int run) const { return memory_.labels[static_cast<std::size_t>(run)]; }
 
   /// Adds a contact if the run goes on behind what comes next in `direction`. The longer of two runs looks for the
   /// other, no farther than an occluder of the two can reach: the walks along a line are no longer than a few lines
@@ -125,32 +126,32 @@ class OcclusionWalk {
       const int last = std::min(hidden + lengthOf(next) - 1, reach);
       for (; hidden <= last; ++hidden) {
         const int i = edge + direction * (hidden + 1);
-        const Place place = placeOf(pixelAt(i), plane);
+        const Place place = placeOf(i, plane);
         if (place == Place::Behind) return;
         occluded |= place == Place::InFront;
         if (place == Place::InFront || other == 0) continue;
         const int seen = direction > 0 ? end(next) - i : i + 1 - begin(next);
-        meet(run, direction, edge, i, seen, occluded ? hidden : -1);
+        if (occluded) meet(run, next, direction, edge, i, seen, hidden);
         return;
       }
       if (hidden > reach) return;
     }
   }
 
-  /// Two runs on one plane, from `edge` and `i` outwards, with `hidden` pixels between them; -1: none of them nearer.
-  void meet(int run, int direction, int edge, int i, int seen, int hidden) {
+  /// Two runs on one plane, seen from `edge` and `i` outwards, with `hidden` pixels between them.
+  void meet(int run, int other, int direction, int edge, int i, int seen, int hidden) {
     const int length = lengthOf(run);
     const bool longer = direction > 0 ? seen <= length : seen < length;
-    if (hidden < 0 || !longer || hidden > max_occluder_ * (length + seen)) return;
+    if (!longer || hidden > max_occluder_ * (length + seen)) return;
     const Pixel a = pixelAt(edge), b = pixelAt(i);
-    contacts_[{labels_[image_.index(a.row, a.column)], labels_[image_.index(b.row, b.column)]}].add(
-        image_, a.row, a.column, b.row, b.column);
+    contacts_[{labelOf(run), labelOf(other)}].add(image_, a.row, a.column, b.row, b.column);
   }
 
-  Place placeOf(Pixel p, const OcclusionMemory::Plane& plane) const {
-    const std::size_t index = image_.index(p.row, p.column);
+  Place placeOf(int i, const OcclusionMemory::Plane& plane) const {
+    const auto index = static_cast<std::size_t>(first_ + i * stride_);
     const auto w = static_cast<double>(image_.w[index]);
     if (!(w > 0.0)) return Place::Behind;  // a hole is no occluder
+    const Pixel p = pixelAt(i);
     const auto column = static_cast<std::size_t>(p.column);
     const double error =
         w - (plane.x * image_.across[column] + plane.y * image_.along[static_cast<std::size_t>(p.row)] +
@@ -165,6 +166,7 @@ class OcclusionWalk {
   OcclusionMemory& memory_;
   RegionContacts& contacts_;
   Pixel line_start_{0, 0}, line_step_{0, 1};  // the line that is walked
+  std::ptrdiff_t first_ = 0, stride_ = 1;     // the same, of the pixels
   const int* begins_ = nullptr;               // of its runs, and the line's end
   int runs_ = 0;
 };

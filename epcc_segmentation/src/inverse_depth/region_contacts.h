@@ -82,6 +82,7 @@ struct OcclusionMemory {
   RowBits left, above;
   PixelList columns;
   std::vector<int> begins;               ///< of the runs on a line
+  std::vector<std::int32_t> labels;      ///< of the runs on a line
   std::vector<Begin> begins_on_columns;  ///< in the order of rows
   std::vector<int> sorted_begins;        ///< their rows, in that of columns
   std::vector<int> first_of_column;      ///< in sorted_begins
