@@ -34,7 +34,7 @@ class Refiner {
     memory_.creases.count(parameters_);
     for (int pass = 0; pass < parameters_.passes; ++pass) {
       listFrontier();
-      if (frontier_.empty()) break;
+      if (memory_.frontier_count == 0) break;
       use_creases_ = pass < parameters_.crease_passes;
       refineFrontier();
     }
@@ -61,6 +61,7 @@ class Refiner {
     memory_.borders.resize(image_.width);
     memory_.upper_labelled.assign(words_, 0);
     memory_.next.assign(words_ * static_cast<std::size_t>(image_.height), 0);
+    memory_.has_next.assign(static_cast<std::size_t>(image_.height), 1);
     for (int row = 0; row < image_.height; ++row) {
       memory_.borders.mark(labels_, image_.width, image_.height, row);
       markFrontier(row);
@@ -117,36 +118,40 @@ class Refiner {
     memory_.choices.resize(kPart);
     memory_.candidates.resize(4 * kPart + 1);
     memory_.at_crease.resize(4 * kPart + 1);
-    for (std::size_t begin = 0; begin < frontier_.size(); begin += kPart) {
-      const std::size_t count = std::min(kPart, frontier_.size() - begin);
+    for (std::size_t begin = 0; begin < memory_.frontier_count; begin += kPart) {
       const Pixel* pixels = frontier_.data() + begin;
-      listCandidates(pixels, count);
+      listCandidates(pixels, std::min(kPart, memory_.frontier_count - begin));
       measureCandidates(pixels);
       askCreases();
-      choose();
-      for (std::size_t k = 0; k < count; ++k)
-        if (memory_.choices[k].best != memory_.choices[k].current)
-          memory_.changes.push_back({pixels[k], memory_.choices[k].best});
+      choose(pixels);
     }
     applyChanges();
   }
 
-  /// From bits to pixels, row by row.
+  /// From bits to pixels with a depth, row by row.
   void listFrontier() {
-    frontier_.clear();
+    std::size_t count = 0;
     for (int row = 0; row < image_.height; ++row) {
+      if (memory_.has_next[static_cast<std::size_t>(row)] == 0) continue;
+      memory_.has_next[static_cast<std::size_t>(row)] = 0;
       std::uint64_t* bits = memory_.next.data() + words_ * static_cast<std::size_t>(row);
       memory_.list.clear(image_.width);
       for (std::size_t word = 0; word < words_; ++word) {
         memory_.list.add(bits[word], word);
         bits[word] = 0;
       }
-      for (const int column : memory_.list) frontier_.push_back({row, column});
+      frontier_.resize(std::max(frontier_.size(), count + static_cast<std::size_t>(image_.width) + 1));
+      const float* w = image_.w.data() + image_.index(row, 0);
+      for (const int column : memory_.list) {
+        frontier_[count] = {row, column};
+        count += w[column] > 0.0f ? 1 : 0;
+      }
     }
+    memory_.frontier_count = count;
   }
 
-  // The labels of the four neighbours, but none twice running, of pixels with a depth. Each is written down and the
-  // count decides whether it stays. Beyond the image is the pixel itself.
+  // The labels of the four neighbours, but none twice running. Each is written down and the count decides whether it
+  // stays. Beyond the image is the pixel itself.
   void listCandidates(const Pixel* pixels, std::size_t pixel_count) {
     Candidate* candidates = memory_.candidates.data();
     std::size_t count = 0;
@@ -154,17 +159,20 @@ class Refiner {
       const Pixel pixel = pixels[k];
       const std::size_t index = image_.index(pixel.row, pixel.column);
       const std::int32_t* label = labels_ + index;
-      const bool has_depth = image_.w[index] > 0.0f;
       const std::int32_t current = *label;
       memory_.choices[k] = {current, current, 0.0};
-      const std::int32_t neighbours[4] = {
-          label[pixel.column > 0 ? -1 : 0], label[pixel.column + 1 < image_.width ? 1 : 0],
-          label[pixel.row > 0 ? -image_.width : 0], label[pixel.row + 1 < image_.height ? image_.width : 0]};
+      const bool inside =
+          pixel.column > 0 && pixel.column + 1 < image_.width && pixel.row > 0 && pixel.row + 1 < image_.height;
+      const std::int32_t* left = inside || pixel.column > 0 ? label - 1 : label;
+      const std::int32_t* right = inside || pixel.column + 1 < image_.width ? label + 1 : label;
+      const std::int32_t* up = inside || pixel.row > 0 ? label - image_.width : label;
+      const std::int32_t* down = inside || pixel.row + 1 < image_.height ? label + image_.width : label;
+      const std::int32_t neighbours[4] = {*left, *right, *up, *down};
       std::int32_t last = 0;
       for (const std::int32_t other : neighbours) {
         candidates[count].choice = static_cast<std::int32_t>(k);
         candidates[count].label = other;
-        const int counts = has_depth & (other != 0) & (other != current) & (other != last);
+        const int counts = (other != 0) & (other != current) & (other != last);
         last ^= (last ^ other) & -counts;  // no branch
         count += static_cast<std::size_t>(counts);
       }
@@ -211,7 +219,8 @@ class Refiner {
     }
   }
 
-  void choose() {
+  void choose(const Pixel* pixels) {
+    memory_.changed.clear();
     for (std::size_t k = 0; k < memory_.candidate_count; ++k) {
       const Candidate& candidate = memory_.candidates[k];
       Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
@@ -219,9 +228,12 @@ class Refiner {
       const bool better = (candidate.other_error < candidate.error - gain) & (candidate.other_error < choice.least);
       const bool flips = (candidate.verdict == Verdict::Flip) | ((candidate.verdict == Verdict::Residual) & better);
       if (!flips) continue;
+      if (choice.best == choice.current) memory_.changed.push_back(candidate.choice);
       choice.best = candidate.label;
       choice.least = std::min(choice.least, candidate.other_error);
     }
+    for (const std::int32_t k : memory_.changed)
+      memory_.changes.push_back({pixels[k], memory_.choices[static_cast<std::size_t>(k)].best});
   }
 
   // The pixels that changed and those beside them are the next frontier.
@@ -239,6 +251,7 @@ class Refiner {
 
   void lookAgainAt(int row, int column) {
     const auto bit = static_cast<std::size_t>(column);
+    memory_.has_next[static_cast<std::size_t>(row)] = 1;
     memory_.next[words_ * static_cast<std::size_t>(row) + bit / 64] |= std::uint64_t{1} << bit % 64;
   }
 

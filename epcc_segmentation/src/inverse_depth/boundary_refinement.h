@@ -47,15 +47,18 @@ struct RefinementMemory {
   RowBorders borders;                ///< of a row
   RowBits upper_labelled;            ///< of the one above
   CreaseVotes creases;
-  RowBits next;                 ///< row after row: pixels to look at in the next pass
-  PixelList list;               ///< some of a row
+  RowBits next;                        ///< row after row: pixels to look at in the next pass
+  std::vector<std::uint8_t> has_next;  ///< per row: there are some
+  PixelList list;                      ///< some of a row
+  // Lists that are written without branches are longer than what they hold; the counts are below.
   std::vector<Pixel> frontier;  ///< to look at in this pass
   std::vector<Change> changes;  ///< of a pass
-  // Of a part of the frontier. They are longer than what they hold, so as not to be filled each time.
+  // Of a part of the frontier.
   std::vector<Choice> choices;
+  std::vector<std::int32_t> changed;  ///< choices other than before
   std::vector<Candidate> candidates;
   std::vector<std::size_t> at_crease;  ///< the candidates for which a crease may decide
-  std::size_t candidate_count = 0, at_crease_count = 0;
+  std::size_t frontier_count = 0, candidate_count = 0, at_crease_count = 0;
 };
 
 /// Refines the labels with the planes of the regions' present moments; the moments are not updated.

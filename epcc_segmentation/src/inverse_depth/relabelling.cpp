@@ -20,8 +20,15 @@ constexpr std::size_t kBlock = 16;  // labels
 /// All of a block are the first.
 HWY_INLINE bool isUniform(const std::int32_t* labels) {
 #if HWY_TARGET == HWY_EMU128
+  const hn::CappedTag<std::int32_t, kBlock> d;
+  const auto first = hn::Set(d, labels[0]);
+  auto differs = hn::Zero(d);
+  for (std::size_t i = 0; i < kBlock; i += hn::MaxLanes(d))
+    differs = hn::Or(differs, hn::Xor(hn::LoadU(d, labels + i), first));
+  std::int32_t parts[hn::MaxLanes(d)];
+  hn::StoreU(differs, d, parts);
   std::int32_t any = 0;
-  for (std::size_t i = 1; i < kBlock; ++i) any |= labels[i] ^ labels[0];
+  for (const std::int32_t part : parts) any |= part;
   return any == 0;
 #else
   const hn::CappedTag<std::int32_t, kBlock> d;
