@@ -46,7 +46,7 @@ inline std::uint64_t fromRight(const RowBits& bits, std::size_t word) {
   return bits[word] >> 1 | (word + 1 < bits.size() ? bits[word + 1] << 63 : 0);
 }
 
-/// A list of the pixels of a row whose bits are set. Borders are everywhere and nowhere: they are listed four at a time
+/// A list of the pixels of a row whose bits are set. Borders are everywhere and nowhere: they are listed two at a time
 /// without asking for the end each time, and then visited in one loop.
 class PixelList {
  public:
@@ -69,7 +69,7 @@ class PixelList {
   const int* end() const { return end_; }
 
  private:
-  static constexpr int kStep = 4;
+  static constexpr int kStep = 2;
   std::vector<int> columns_;
   int* end_ = nullptr;
 };
