@@ -2,23 +2,14 @@
 // S5: crease votes, then passes over the frontier.
 #include "inverse_depth/boundary_refinement.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-
-#include "inverse_depth/region_contacts.h"
+#include <cstddef>
+#include <utility>
 
 namespace epcc {
 
 namespace {
-
-/// What the refinement knows of a region.
-struct RefinedPlane {
-  Eigen::Vector3d q = Eigen::Vector3d::Zero();
-  double inverse_slope = 1.0;  ///< 1 / sqrt(slope factor)
-  bool usable = false;
-};
-
-enum class Crease { Unknown, Convex, Concave };
 
 class Refiner {
  public:
@@ -26,211 +17,250 @@ class Refiner {
           RefinementMemory& memory)
       : image_(image),
         parameters_(parameters.expert.refinement),
-        labels_(map.labels),
-        planes_(map.regions.size() + 1),
-        frontier_(memory.frontier),
-        queued_(memory.queued),
-        changes_(memory.changes) {
+        labels_(map.labels.data()),
+        words_(wordsOf(image.width)),
+        memory_(memory),
+        frontier_(memory.frontier) {
+    memory_.planes.assign(map.regions.size() + 1, RefinedPlane());
     for (std::size_t k = 0; k < map.regions.size(); ++k) {
       if (map.regions[k].n <= 0.0) continue;
       const RegionPlane plane(map.regions[k]);
-      planes_[k + 1] = {plane.q, 1.0 / std::sqrt(plane.slope_factor), true};
+      memory_.planes[k + 1] = {plane.q.x(), plane.q.y(), plane.q.z(), 1.0 / std::sqrt(plane.slope_factor)};
     }
   }
 
   void run() {
     sweepBorders();
-    countVotes();
-    for (int pass = 0; pass < parameters_.passes && !frontier_.empty(); ++pass) {
+    memory_.creases.count(parameters_);
+    for (int pass = 0; pass < parameters_.passes; ++pass) {
+      listFrontier();
+      if (memory_.frontier_count == 0) break;
       use_creases_ = pass < parameters_.crease_passes;
       refineFrontier();
     }
   }
 
  private:
-  using Change = RefinementMemory::Change;
-  struct Pixel {
-    int row, column;
-    double w, weight, inverse_sigma;
-  };
+  using Pixel = RefinementMemory::Pixel;
+  using Choice = RefinementMemory::Choice;
+  using Candidate = RefinementMemory::Candidate;
 
-  int width() const { return image_.width; }
-  int height() const { return image_.height; }
-
-  double planeAt(std::int32_t label, int row, int column) const {
-    const Eigen::Vector3d& q = planes_[static_cast<std::size_t>(label)].q;
-    return q.x() * image_.across[static_cast<std::size_t>(column)] +
-           q.y() * image_.along[static_cast<std::size_t>(row)] +
-           q.z() * image_.forward[static_cast<std::size_t>(column)];
-  }
-
-  /// Residual of a pixel on a region's plane, in sigma across the surface.
-  double error(std::int32_t label, const Pixel& pixel) const {
-    return std::abs(pixel.w - planeAt(label, pixel.row, pixel.column)) * pixel.inverse_sigma *
-           planes_[static_cast<std::size_t>(label)].inverse_slope;
-  }
-
-  template <typename Visit>
-  void forEachNeighbour(int row, int column, const Visit& visit) const {
-    const std::size_t pixel = image_.index(row, column);
-    if (column > 0) visit(pixel - 1);
-    if (column + 1 < width()) visit(pixel + 1);
-    if (row > 0) visit(pixel - width());
-    if (row + 1 < height()) visit(pixel + width());
+  const RefinedPlane& planeOf(std::int32_t label) const { return memory_.planes[static_cast<std::size_t>(label)]; }
+  double planeAt(std::int32_t label, Pixel pixel) const {
+    const RefinedPlane& plane = planeOf(label);
+    return plane.x * image_.across[static_cast<std::size_t>(pixel.column)] +
+           plane.y * image_.along[static_cast<std::size_t>(pixel.row)] +
+           plane.z * image_.forward[static_cast<std::size_t>(pixel.column)];
   }
 
   // ---- borders ----
-  // One sweep over the image: where two labels meet, the pixels join the frontier and the crease is voted.
+  // One sweep over the image: where two labels meet, the pixels that see another label join the frontier and the crease
+  // is voted.
   void sweepBorders() {
-    frontier_.clear();
-    queued_.assign(labels_.size(), 0);
-    const auto step = static_cast<std::size_t>(width());
-    for (int row = 0; row < height(); ++row) {
-      const std::size_t start = image_.index(row, 0);
-      const std::int32_t* here = labels_.data() + start;
-      const std::int32_t* below = row + 1 < height() ? here + step : here;  // no border under the last row
-      for (std::size_t column = 0; column < step; ++column) {
-        const std::size_t pixel = start + column;
-        if (column + 1 < step && here[column] != here[column + 1]) {
-          meet(pixel, pixel + 1);
-          voteCrease(pixel, pixel + 1, row, static_cast<int>(column), 0, 1);
-        }
-        if (here[column] != below[column]) {
-          meet(pixel, pixel + step);
-          voteCrease(pixel, pixel + step, row, static_cast<int>(column), 1, 0);
-        }
-      }
+    memory_.creases.clear();
+    memory_.borders.resize(image_.width);
+    memory_.upper_labelled.assign(words_, 0);
+    memory_.next.assign(words_ * static_cast<std::size_t>(image_.height), 0);
+    memory_.has_next.assign(static_cast<std::size_t>(image_.height), 1);
+    for (int row = 0; row < image_.height; ++row) {
+      memory_.borders.mark(labels_, image_.width, image_.height, row);
+      markFrontier(row);
+      voteCreases(row);
+      std::swap(memory_.borders.labelled, memory_.upper_labelled);
     }
-    for (const std::size_t pixel : frontier_) queued_[pixel] = 0;
   }
 
-  void meet(std::size_t a, std::size_t b) {
-    if (labels_[b] != 0) enqueue(a);
-    if (labels_[a] != 0) enqueue(b);
-  }
-
-  void enqueue(std::size_t pixel) {
-    if (queued_[pixel] != 0 || !(image_.w[pixel] > 0.0f)) return;
-    queued_[pixel] = 1;
-    frontier_.push_back(pixel);
-  }
-
-  // ---- creases ----
-  // On a convex edge the surface is the farther of the two planes (the smaller w), in a concave corner the nearer.
-  struct Votes {
-    int convex = 0, concave = 0;
-  };
-
-  /// Votes on both sides of the border between pixels a and b, b one step down or to the right of (row, column).
-  void voteCrease(std::size_t a, std::size_t b, int row, int column, int down, int right) {
-    const std::int32_t label_a = labels_[a];
-    const std::int32_t label_b = labels_[b];
-    if (label_a == 0 || label_b == 0) return;
-    const int back = parameters_.crease_vote_pixels;
-    const int forth = back + 1;
-    vote(label_a, label_b, row - back * down, column - back * right);
-    vote(label_b, label_a, row + forth * down, column + forth * right);
-  }
-
-  void vote(std::int32_t own, std::int32_t other, int row, int column) {
-    if (row < 0 || row >= height() || column < 0 || column >= width()) return;
-    if (labels_[image_.index(row, column)] != own) return;
-    Votes& v = votes_of_[RegionPair(own, other)];
-    (planeAt(own, row, column) < planeAt(other, row, column) ? v.convex : v.concave)++;
-  }
-
-  void countVotes() {
-    for (const auto& [pair, v] : votes_) {
-      const int total = v.convex + v.concave;
-      if (total < parameters_.crease_min_votes) continue;
-      if (v.convex >= parameters_.crease_agreement * total) creases_[pair] = Crease::Convex;
-      if (v.concave >= parameters_.crease_agreement * total) creases_[pair] = Crease::Concave;
+  // Of a row by its neighbours to the left, to the right and above, and of the row above by this one.
+  void markFrontier(int row) {
+    const auto& [left, above, labelled] = memory_.borders;
+    std::uint64_t* here = memory_.next.data() + words_ * static_cast<std::size_t>(row);
+    for (std::size_t word = 0; word < words_; ++word) {
+      here[word] = (left[word] & fromLeft(labelled, word)) | (fromRight(left, word) & fromRight(labelled, word)) |
+                   (above[word] & memory_.upper_labelled[word]);
+      if (row > 0) (here - words_)[word] |= above[word] & labelled[word];
     }
+  }
+
+  void voteCreases(int row) {
+    const auto& [left, above, labelled] = memory_.borders;
+    memory_.list.clear(image_.width);
+    for (std::size_t word = 0; word < left.size(); ++word)
+      memory_.list.add(left[word] & labelled[word] & fromLeft(labelled, word), word);
+    for (const int column : memory_.list) voteCrease({row, column - 1}, {row, column});
+    memory_.list.clear(image_.width);
+    for (std::size_t word = 0; word < left.size(); ++word)
+      memory_.list.add(above[word] & labelled[word] & memory_.upper_labelled[word], word);
+    for (const int column : memory_.list) voteCrease({row - 1, column}, {row, column});
+  }
+
+  /// Votes on both sides of the border between a and b, b one step down or to the right.
+  void voteCrease(Pixel a, Pixel b) {
+    const int down = parameters_.crease_vote_pixels * (b.row - a.row);
+    const int right = parameters_.crease_vote_pixels * (b.column - a.column);
+    const std::int32_t label_a = labels_[image_.index(a.row, a.column)];
+    const std::int32_t label_b = labels_[image_.index(b.row, b.column)];
+    vote(label_a, label_b, {a.row - down, a.column - right});
+    vote(label_b, label_a, {b.row + down, b.column + right});
+  }
+
+  void vote(std::int32_t own, std::int32_t other, Pixel pixel) {
+    if (pixel.row < 0 || pixel.row >= image_.height || pixel.column < 0 || pixel.column >= image_.width) return;
+    if (labels_[image_.index(pixel.row, pixel.column)] != own) return;
+    memory_.creases.add(own, other, planeAt(own, pixel) < planeAt(other, pixel));
   }
 
   // ---- frontier ----
+  // All decisions of a pass are made from the labels before it: their order is of no importance. Which way a pixel
+  // decides is hard to predict, so that each question is put to all of them before the next one.
   void refineFrontier() {
-    changes_.clear();
-    for (const std::size_t pixel : frontier_) {
-      const std::int32_t label = bestLabel(pixel);
-      if (label != labels_[pixel]) changes_.push_back({pixel, label});
+    constexpr std::size_t kPart = 256;  // pixels: what is noted of them stays in the cache
+    memory_.changes.clear();
+    memory_.choices.resize(kPart);
+    memory_.candidates.resize(4 * kPart + 1);
+    memory_.at_crease.resize(4 * kPart + 1);
+    for (std::size_t begin = 0; begin < memory_.frontier_count; begin += kPart) {
+      const Pixel* pixels = frontier_.data() + begin;
+      listCandidates(pixels, std::min(kPart, memory_.frontier_count - begin));
+      measureCandidates(pixels);
+      askCreases();
+      choose(pixels);
     }
-    for (const Change& change : changes_) labels_[change.pixel] = change.label;
-    frontier_.clear();
-    for (const Change& change : changes_) {
-      enqueue(change.pixel);
-      forEachNeighbour(static_cast<int>(change.pixel / width()), static_cast<int>(change.pixel % width()),
-                       [this](std::size_t pixel) { enqueue(pixel); });
-    }
-    for (const std::size_t pixel : frontier_) queued_[pixel] = 0;
+    applyChanges();
   }
 
-  std::int32_t bestLabel(std::size_t index) {
-    const std::int32_t current = labels_[index];
-    Pixel pixel;
-    pixel.row = static_cast<int>(index / width());
-    pixel.column = static_cast<int>(index % width());
-    std::array<std::int32_t, 4> others;
+  /// From bits to pixels with a depth, row by row.
+  void listFrontier() {
     std::size_t count = 0;
-    forEachNeighbour(pixel.row, pixel.column, [&](std::size_t n) {
-      const std::int32_t other = labels_[n];
-      if (other != 0 && other != current && planes_[static_cast<std::size_t>(other)].usable) others[count++] = other;
-    });
-    if (count == 0) return current;
-    pixel.w = static_cast<double>(image_.w[index]);
-    pixel.weight = static_cast<double>(image_.weight[index]);
-    pixel.inverse_sigma = std::sqrt(pixel.weight);
-    const double current_error = current != 0 ? error(current, pixel) : parameters_.max_residual;
-    double least = current_error;
-    std::int32_t best = current;
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::int32_t other = others[k];
-      if (other == best) continue;
-      const double e = error(other, pixel);
-      if (current == 0) {
-        if (e < least) least = e, best = other;
-        continue;
+    for (int row = 0; row < image_.height; ++row) {
+      if (memory_.has_next[static_cast<std::size_t>(row)] == 0) continue;
+      memory_.has_next[static_cast<std::size_t>(row)] = 0;
+      std::uint64_t* bits = memory_.next.data() + words_ * static_cast<std::size_t>(row);
+      memory_.list.clear(image_.width);
+      for (std::size_t word = 0; word < words_; ++word) {
+        memory_.list.add(bits[word], word);
+        bits[word] = 0;
       }
-      switch (creaseDecision(current, other, pixel, current_error, e)) {
-        case Decision::Keep:
-          continue;
-        case Decision::Flip:
-          least = std::min(least, e), best = other;
-          continue;
-        case Decision::Residual:
-          break;
+      frontier_.resize(std::max(frontier_.size(), count + static_cast<std::size_t>(image_.width) + 1));
+      const float* w = image_.w.data() + image_.index(row, 0);
+      for (const int column : memory_.list) {
+        frontier_[count] = {row, column};
+        count += w[column] > 0.0f ? 1 : 0;
       }
-      if (e < current_error - parameters_.flip_gain && (best == current || e < least)) least = e, best = other;
     }
-    return best;
+    memory_.frontier_count = count;
   }
 
-  enum class Decision { Keep, Flip, Residual };
-  Decision creaseDecision(std::int32_t current, std::int32_t other, const Pixel& pixel, double current_error,
-                          double other_error) {
-    if (!use_creases_) return Decision::Residual;
-    if (current_error > parameters_.crease_range || other_error > parameters_.crease_range) return Decision::Residual;
-    const double difference = planeAt(current, pixel.row, pixel.column) - planeAt(other, pixel.row, pixel.column);
-    if (difference * difference * pixel.weight > parameters_.crease_range * parameters_.crease_range)
-      return Decision::Residual;
-    const Crease kind = crease_of_[RegionPair(current, other)];
-    if (kind == Crease::Unknown) return Decision::Residual;
-    const bool current_is_surface = kind == Crease::Convex ? difference <= 0.0 : difference >= 0.0;
-    if (current_is_surface) return Decision::Keep;
-    return other_error < current_error + parameters_.crease_slack ? Decision::Flip : Decision::Keep;
+  // The labels of the four neighbours, but none twice running. Each is written down and the count decides whether it
+  // stays. Beyond the image is the pixel itself.
+  void listCandidates(const Pixel* pixels, std::size_t pixel_count) {
+    Candidate* candidates = memory_.candidates.data();
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < pixel_count; ++k) {
+      const Pixel pixel = pixels[k];
+      const std::size_t index = image_.index(pixel.row, pixel.column);
+      const std::int32_t* label = labels_ + index;
+      const std::int32_t current = *label;
+      memory_.choices[k] = {current, current, 0.0};
+      const bool inside =
+          pixel.column > 0 && pixel.column + 1 < image_.width && pixel.row > 0 && pixel.row + 1 < image_.height;
+      const std::int32_t* left = inside || pixel.column > 0 ? label - 1 : label;
+      const std::int32_t* right = inside || pixel.column + 1 < image_.width ? label + 1 : label;
+      const std::int32_t* up = inside || pixel.row > 0 ? label - image_.width : label;
+      const std::int32_t* down = inside || pixel.row + 1 < image_.height ? label + image_.width : label;
+      const std::int32_t neighbours[4] = {*left, *right, *up, *down};
+      std::int32_t last = 0;
+      for (const std::int32_t other : neighbours) {
+        candidates[count].choice = static_cast<std::int32_t>(k);
+        candidates[count].label = other;
+        const int counts = (other != 0) & (other != current) & (other != last);
+        last ^= (last ^ other) & -counts;  // no branch
+        count += static_cast<std::size_t>(counts);
+      }
+    }
+    memory_.candidate_count = count;
+  }
+
+  void measureCandidates(const Pixel* pixels) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < memory_.candidate_count; ++k) {
+      Candidate& candidate = memory_.candidates[k];
+      const Pixel pixel = pixels[candidate.choice];
+      Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
+      const std::size_t index = image_.index(pixel.row, pixel.column);
+      const auto w = static_cast<double>(image_.w[index]);
+      const double inverse_sigma = std::sqrt(static_cast<double>(image_.weight[index]));
+      const double on_current = planeAt(choice.current, pixel), on_other = planeAt(candidate.label, pixel);
+      const double error = std::abs(w - on_current) * inverse_sigma * planeOf(choice.current).inverse_slope;
+      candidate.error = choice.current != 0 ? error : parameters_.max_residual;
+      candidate.other_error = std::abs(w - on_other) * inverse_sigma * planeOf(candidate.label).inverse_slope;
+      candidate.difference = on_current - on_other;
+      candidate.verdict = Verdict::Residual;
+      choice.least = candidate.error;
+      const double range = parameters_.crease_range;
+      const bool near = (choice.current != 0) & (candidate.error <= range) & (candidate.other_error <= range) &
+                        (std::abs(candidate.difference) * inverse_sigma <= range);
+      memory_.at_crease[count] = k;
+      count += near ? 1 : 0;
+    }
+    memory_.at_crease_count = use_creases_ ? count : 0;
+  }
+
+  // On a crease the geometry decides which of two planes is the surface, unless that costs too much.
+  void askCreases() {
+    for (std::size_t i = 0; i < memory_.at_crease_count; ++i) {
+      Candidate& candidate = memory_.candidates[memory_.at_crease[i]];
+      const Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
+      const Crease kind = memory_.creases.kindOf(choice.current, candidate.label);
+      const bool current_is_surface =
+          kind == Crease::Convex ? candidate.difference <= 0.0 : candidate.difference >= 0.0;
+      const bool cheap = candidate.other_error < candidate.error + parameters_.crease_slack;
+      const Verdict verdict = !current_is_surface & cheap ? Verdict::Flip : Verdict::Keep;
+      candidate.verdict = kind == Crease::Unknown ? Verdict::Residual : verdict;
+    }
+  }
+
+  void choose(const Pixel* pixels) {
+    memory_.changed.clear();
+    for (std::size_t k = 0; k < memory_.candidate_count; ++k) {
+      const Candidate& candidate = memory_.candidates[k];
+      Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
+      const double gain = choice.current != 0 ? parameters_.flip_gain : 0.0;
+      const bool better = (candidate.other_error < candidate.error - gain) & (candidate.other_error < choice.least);
+      const bool flips = (candidate.verdict == Verdict::Flip) | ((candidate.verdict == Verdict::Residual) & better);
+      if (!flips) continue;
+      if (choice.best == choice.current) memory_.changed.push_back(candidate.choice);
+      choice.best = candidate.label;
+      choice.least = std::min(choice.least, candidate.other_error);
+    }
+    for (const std::int32_t k : memory_.changed)
+      memory_.changes.push_back({pixels[k], memory_.choices[static_cast<std::size_t>(k)].best});
+  }
+
+  // The pixels that changed and those beside them are the next frontier.
+  void applyChanges() {
+    for (const RefinementMemory::Change& change : memory_.changes) {
+      const auto [row, column] = change.pixel;
+      labels_[image_.index(row, column)] = change.label;
+      lookAgainAt(row, column);
+      if (column > 0) lookAgainAt(row, column - 1);
+      if (column + 1 < image_.width) lookAgainAt(row, column + 1);
+      if (row > 0) lookAgainAt(row - 1, column);
+      if (row + 1 < image_.height) lookAgainAt(row + 1, column);
+    }
+  }
+
+  void lookAgainAt(int row, int column) {
+    const auto bit = static_cast<std::size_t>(column);
+    memory_.has_next[static_cast<std::size_t>(row)] = 1;
+    memory_.next[words_ * static_cast<std::size_t>(row) + bit / 64] |= std::uint64_t{1} << bit % 64;
   }
 
   const InverseDepthImage& image_;
   const InverseDepthParameters::Refinement& parameters_;
-  std::vector<std::int32_t>& labels_;
-  std::vector<RefinedPlane> planes_;
-  RegionPairs<Votes> votes_;
-  RegionPairLookup<Votes> votes_of_{votes_};
-  RegionPairs<Crease> creases_;
-  RegionPairLookup<Crease> crease_of_{creases_};
-  std::vector<std::size_t>& frontier_;
-  std::vector<std::uint8_t>& queued_;
-  std::vector<Change>& changes_;
+  std::int32_t* labels_;
+  std::size_t words_;  // of a row's bits
+  RefinementMemory& memory_;
+  std::vector<Pixel>& frontier_;
   bool use_creases_ = true;
 };
 

@@ -23,6 +23,13 @@ bool isPlane(const PlaneMoments& region, const InverseDepthParameters& parameter
 
 namespace {
 
+/// A quadric takes no more away than there is.
+bool mayBeFacet(const PlaneMoments& region, const InverseDepthParameters::Evidence& evidence,
+                double pixels_per_sample) {
+  const RegionPlane plane(region);
+  return plane.rss > evidence.bending_evidence * pixels_per_sample * plane.slope_factor;
+}
+
 bool isFacet(const Bending& bending, const InverseDepthParameters::Evidence& evidence, double pixels_per_sample) {
   return bending.curvature * evidence.min_radius > 1.0 && bending.gain > evidence.bending_share * bending.rss &&
          bending.gain > evidence.bending_evidence * pixels_per_sample;
@@ -33,10 +40,12 @@ bool isFacet(const Bending& bending, const InverseDepthParameters::Evidence& evi
 void rejectRegions(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
                    RegionMap& map) {
   const std::size_t count = map.regions.size();
-  std::vector<std::uint8_t> plane(count, 0);
-  for (std::size_t k = 0; k < count; ++k)
+  std::vector<std::uint8_t> plane(count, 0), may_bend(count, 0);
+  for (std::size_t k = 0; k < count; ++k) {
     plane[k] = map.regions[k].n > 0.0 && isPlane(map.regions[k], parameters, sensor);
-  const std::vector<Bending> bending = measureBending(image, map, plane);
+    may_bend[k] = plane[k] != 0 && mayBeFacet(map.regions[k], parameters.expert.evidence, sensor.pixelsPerSample());
+  }
+  const std::vector<Bending> bending = measureBending(image, map, may_bend);
 
   std::vector<std::int32_t> new_label(count + 1, 0);
   for (std::size_t k = 0; k < count; ++k) {

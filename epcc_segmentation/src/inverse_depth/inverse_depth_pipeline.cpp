@@ -77,8 +77,8 @@ void InverseDepthPipeline::mergeRegions() {
   const InverseDepthParameters::Merging& merging = grid_parameters_.expert.merging;
   const double blotch = merging.bridge_samples * grid_sensor_.pixelsPerLineSample();
   const int bridge = std::max(merging.min_bridge_pixels, static_cast<int>(blotch));
-  epcc::mergeRegions(findContacts(*image_, bridge, grid_parameters_.expert.refinement.max_residual, map_),
-                     grid_parameters_, grid_sensor_, map_);
+  findContacts(*image_, bridge, grid_parameters_.expert.refinement.max_residual, map_, contact_search_, contacts_);
+  merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_);
 }
 
 void InverseDepthPipeline::refineBoundaries() {
@@ -92,9 +92,9 @@ void InverseDepthPipeline::rejectClutter() {
 }
 
 void InverseDepthPipeline::joinOccluded() {
-  const RegionContacts contacts = findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
-                                                       grid_parameters_.expert.refinement.max_residual, map_);
-  epcc::mergeRegions(contacts, grid_parameters_, grid_sensor_, map_);
+  findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
+                       grid_parameters_.expert.refinement.max_residual, map_, occlusion_, contacts_);
+  merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_);
 }
 
 void InverseDepthPipeline::rejectThin() {

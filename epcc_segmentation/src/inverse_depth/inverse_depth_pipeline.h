@@ -15,7 +15,9 @@
 #include "inverse_depth/directional_planes.h"
 #include "inverse_depth/full_resolution.h"
 #include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/region_contacts.h"
 #include "inverse_depth/region_map.h"
+#include "inverse_depth/region_merging.h"
 
 namespace epcc {
 
@@ -60,6 +62,10 @@ class InverseDepthPipeline {
   std::vector<StripMemory> strip_memory_;        // per thread
   DirectionJoining joining_;
   RegionMap map_;
+  ContactSearchMemory contact_search_;
+  OcclusionMemory occlusion_;
+  RegionContacts contacts_;
+  RegionMerger merger_;
   RefinementMemory refinement_;
   FullResolution full_resolution_;
   std::vector<std::int32_t> pixel_labels_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds regions on both sides of an occluder by walking along rows and columns.
-#include "inverse_depth/region_contacts.h"
-
+// Finds regions on both sides of an occluder by looking from the ends of the runs of labels on rows and columns.
 #include <algorithm>
 #include <cstddef>
+
+#include "inverse_depth/region_contacts.h"
 
 namespace epcc {
 
@@ -11,22 +11,38 @@ namespace {
 
 /// Every other line will do: contacts come in long rows.
 constexpr int kLineStep = 2;
+constexpr std::uint64_t kEvenColumns = 0x5555555555555555;
 
 /// Looks from both ends of a run of labels along its line, behind what is in front of the run's plane.
 class OcclusionWalk {
  public:
   OcclusionWalk(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
-                RegionContacts& contacts)
-      : image_(image),
-        max_occluder_(max_occluder),
-        residual_(residual),
-        map_(map),
-        planes_(map.regions.begin(), map.regions.end()),
-        contacts_(contacts) {}
+                OcclusionMemory& memory, RegionContacts& contacts)
+      : image_(image), max_occluder_(max_occluder), labels_(map.labels.data()), memory_(memory), contacts_(contacts) {
+    memory_.planes.assign(1, OcclusionMemory::Plane());
+    for (const PlaneMoments& region : map.regions) {
+      const RegionPlane plane(region);
+      memory_.planes.push_back({plane.q.x(), plane.q.y(), plane.q.z(), residual * residual * plane.slope_factor});
+    }
+  }
 
   void walkLines() {
-    for (int row = 0; row < image_.height; row += kLineStep) walkLine({row, 0}, {0, 1}, image_.width);
-    for (int column = 0; column < image_.width; column += kLineStep) walkLine({0, column}, {1, 0}, image_.height);
+    for (RowBits* bits : {&memory_.left, &memory_.above}) bits->assign(wordsOf(image_.width), 0);
+    memory_.begins_on_columns.clear();
+    for (int row = 0; row < image_.height; ++row) {
+      listBeginsOnColumns(row);
+      if (row % kLineStep != 0) continue;
+      listBegins(row);
+      walkLine({row, 0}, {0, 1}, image_.width, memory_.begins);
+    }
+    sortBegins();
+    for (int column = 0; column < image_.width; column += kLineStep) {
+      const int* first = memory_.first_of_column.data() + column / kLineStep;
+      memory_.begins.assign(1, 0);
+      memory_.begins.insert(memory_.begins.end(), memory_.sorted_begins.begin() + first[0],
+                            memory_.sorted_begins.begin() + first[1]);
+      walkLine({0, column}, {1, 0}, image_.height, memory_.begins);
+    }
   }
 
  private:
@@ -35,91 +51,132 @@ class OcclusionWalk {
   };
   enum class Place { InFront, On, Behind };
 
-  void walkLine(Pixel start, Pixel step, int length) {
+  // ---- runs ----
+  void listBegins(int row) {
+    markLeftBorders(labels_, image_.width, image_.height, row, memory_.left);
+    memory_.columns.clear(image_.width);
+    for (std::size_t word = 0; word < memory_.left.size(); ++word) memory_.columns.add(memory_.left[word], word);
+    memory_.begins.assign(1, 0);
+    memory_.begins.insert(memory_.begins.end(), memory_.columns.begin(), memory_.columns.end());
+  }
+
+  void listBeginsOnColumns(int row) {
+    markUpperBorders(labels_, image_.width, row, memory_.above);
+    memory_.columns.clear(image_.width);
+    for (std::size_t word = 0; word < memory_.above.size(); ++word)
+      memory_.columns.add(memory_.above[word] & kEvenColumns, word);
+    for (const int column : memory_.columns) memory_.begins_on_columns.push_back({row, column / kLineStep});
+  }
+
+  /// Brings those on the columns from the order of rows into that of columns.
+  void sortBegins() {
+    const std::size_t lines = (static_cast<std::size_t>(image_.width) + kLineStep - 1) / kLineStep;
+    std::vector<int>& first = memory_.first_of_column;
+    first.assign(lines + 1, 0);
+    for (const OcclusionMemory::Begin& begin : memory_.begins_on_columns) ++first[static_cast<std::size_t>(begin.line)];
+    int sum = 0;
+    for (int& count : first) {
+      sum += count;
+      count = sum;
+    }
+    memory_.sorted_begins.resize(memory_.begins_on_columns.size());
+    for (auto begin = memory_.begins_on_columns.rbegin(); begin != memory_.begins_on_columns.rend(); ++begin)
+      memory_.sorted_begins[static_cast<std::size_t>(--first[static_cast<std::size_t>(begin->line)])] = begin->row;
+  }
+
+  // ---- a line ----
+  void walkLine(Pixel start, Pixel step, int length, std::vector<int>& begins) {
     line_start_ = start;
     line_step_ = step;
-    length_ = length;
-    labels_ = map_.labels.data() + image_.index(start.row, start.column);
-    stride_ = step.row * image_.width + step.column;
-    for (int begin = 0, end = 0; begin < length; begin = end + 1) {
-      end = begin + runLength(begin, 1, length) - 1;
-      if (labelAt(begin) == 0) continue;
-      lookBehind(end, 1, end - begin + 1);
-      lookBehind(begin, -1, end - begin + 1);
+    stride_ = static_cast<std::ptrdiff_t>(step.row) * image_.width + step.column;
+    first_ = static_cast<std::ptrdiff_t>(image_.index(start.row, start.column));
+    memory_.labels.clear();
+    for (const int begin : begins) memory_.labels.push_back(labels_[first_ + begin * stride_]);
+    begins.push_back(length);
+    begins_ = begins.data();
+    runs_ = static_cast<int>(begins.size()) - 1;
+    for (int run = 0; run < runs_; ++run) {
+      if (labelOf(run) == 0) continue;
+      lookBehind(run, 1);
+      lookBehind(run, -1);
     }
   }
 
-  /// Adds a contact if the run that ends at `edge` goes on behind what comes next in `direction`. The longer of two
-  /// runs looks for the other, no farther than an occluder of the two can reach: the walks along a line are no longer
-  /// than a few lines together.
-  void lookBehind(int edge, int direction, int run) {
-    const std::int32_t label = labelAt(edge);
-    const int reach = static_cast<int>(2.0 * max_occluder_ * run);
-    bool occluded = false;
-    for (int hidden = 0; hidden <= reach; ++hidden) {
-      const int i = edge + direction * (hidden + 1);
-      if (i < 0 || i >= length_ || labelAt(i) == label) return;
-      const Place place = placeOf(i, label);
-      if (place == Place::Behind) return;
-      occluded |= place == Place::InFront;
-      if (place == Place::InFront || labelAt(i) == 0) continue;
-      const int other = runLength(i, direction, run + 1);
-      const bool longer = direction > 0 ? other <= run : other < run;
-      if (occluded && longer && hidden <= max_occluder_ * (run + other)) addContact(edge, i);
-      return;
-    }
-  }
-
-  /// Pixels of one label from `i` on, counted up to `most`.
-  int runLength(int i, int direction, int most) const {
-    const std::int32_t label = labelAt(i);
-    const int end = std::min(most, direction > 0 ? length_ - i : i + 1);
-    int count = 1;
-    while (count < end && labelAt(i + direction * count) == label) ++count;
-    return count;
-  }
-
-  void addContact(int i, int j) {
-    const Pixel a = pixelAt(i), b = pixelAt(j);
-    contacts_[RegionPair(labelAt(i), labelAt(j))].add(image_, a.row, a.column, b.row, b.column);
-  }
-
+  int begin(int run) const { return begins_[run]; }
+  int end(int run) const { return begins_[run + 1]; }
+  int lengthOf(int run) const { return end(run) - begin(run); }
   Pixel pixelAt(int i) const {
     return {line_start_.row + i * line_step_.row, line_start_.column + i * line_step_.column};
   }
-  std::int32_t labelAt(int i) const { return labels_[static_cast<std::ptrdiff_t>(i) * stride_]; }
+  std::int32_t labelOf(int run) const { return memory_.labels[static_cast<std::size_t>(run)]; }
 
-  Place placeOf(int i, std::int32_t label) const {
-    const Pixel p = pixelAt(i);
-    const std::size_t index = image_.index(p.row, p.column);
+  /// Adds a contact if the run goes on behind what comes next in `direction`. The longer of two runs looks for the
+  /// other, no farther than an occluder of the two can reach: the walks along a line are no longer than a few lines
+  /// together.
+  void lookBehind(int run, int direction) {
+    const std::int32_t label = labelOf(run);
+    const OcclusionMemory::Plane& plane = memory_.planes[static_cast<std::size_t>(label)];
+    const int edge = direction > 0 ? end(run) - 1 : begin(run);
+    const int reach = static_cast<int>(2.0 * max_occluder_ * lengthOf(run));
+    bool occluded = false;
+    int hidden = 0;
+    for (int next = run + direction; next >= 0 && next < runs_; next += direction) {
+      const std::int32_t other = labelOf(next);
+      if (other == label) return;
+      const int last = std::min(hidden + lengthOf(next) - 1, reach);
+      for (; hidden <= last; ++hidden) {
+        const int i = edge + direction * (hidden + 1);
+        const Place place = placeOf(i, plane);
+        if (place == Place::Behind) return;
+        occluded |= place == Place::InFront;
+        if (place == Place::InFront || other == 0) continue;
+        const int seen = direction > 0 ? end(next) - i : i + 1 - begin(next);
+        if (occluded) meet(run, next, direction, edge, i, seen, hidden);
+        return;
+      }
+      if (hidden > reach) return;
+    }
+  }
+
+  /// Two runs on one plane, seen from `edge` and `i` outwards, with `hidden` pixels between them.
+  void meet(int run, int other, int direction, int edge, int i, int seen, int hidden) {
+    const int length = lengthOf(run);
+    const bool longer = direction > 0 ? seen <= length : seen < length;
+    if (!longer || hidden > max_occluder_ * (length + seen)) return;
+    const Pixel a = pixelAt(edge), b = pixelAt(i);
+    contacts_[{labelOf(run), labelOf(other)}].add(image_, a.row, a.column, b.row, b.column);
+  }
+
+  Place placeOf(int i, const OcclusionMemory::Plane& plane) const {
+    const auto index = static_cast<std::size_t>(first_ + i * stride_);
     const auto w = static_cast<double>(image_.w[index]);
     if (!(w > 0.0)) return Place::Behind;  // a hole is no occluder
-    const RegionPlane& plane = planes_[static_cast<std::size_t>(label) - 1];
-    const double error = w - plane.q.dot(image_.ray(p.row, p.column));
-    if (error * error * static_cast<double>(image_.weight[index]) <= residual_ * residual_ * plane.slope_factor)
-      return Place::On;
+    const Pixel p = pixelAt(i);
+    const auto column = static_cast<std::size_t>(p.column);
+    const double error =
+        w - (plane.x * image_.across[column] + plane.y * image_.along[static_cast<std::size_t>(p.row)] +
+             plane.z * image_.forward[column]);
+    if (error * error * static_cast<double>(image_.weight[index]) <= plane.max_square) return Place::On;
     return error > 0.0 ? Place::InFront : Place::Behind;
   }
 
   const InverseDepthImage& image_;
   double max_occluder_;
-  double residual_;
-  const RegionMap& map_;
-  std::vector<RegionPlane> planes_;
+  const std::int32_t* labels_;
+  OcclusionMemory& memory_;
   RegionContacts& contacts_;
   Pixel line_start_{0, 0}, line_step_{0, 1};  // the line that is walked
-  int length_ = 0;
-  const std::int32_t* labels_ = nullptr;
-  std::ptrdiff_t stride_ = 1;
+  std::ptrdiff_t first_ = 0, stride_ = 1;     // the same, of the pixels
+  const int* begins_ = nullptr;               // of its runs, and the line's end
+  int runs_ = 0;
 };
 
 }  // namespace
 
-RegionContacts findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual,
-                                    const RegionMap& map) {
-  RegionContacts contacts;
-  OcclusionWalk(image, max_occluder, residual, map, contacts).walkLines();
-  return contacts;
+void findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
+                          OcclusionMemory& memory, RegionContacts& contacts) {
+  contacts.clear();
+  OcclusionWalk(image, max_occluder, residual, map, memory, contacts).walkLines();
 }
 
 }  // namespace epcc

@@ -1,75 +1,107 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds neighbouring regions by walking along rows and columns.
+// Finds neighbouring regions at the borders of the labels.
 #include "inverse_depth/region_contacts.h"
 
 #include <utility>
 
 namespace epcc {
 
-void Contact::add(const InverseDepthImage& image, int row, int column, int other_row, int other_column) {
-  const auto weightAt = [&image](int r, int c) { return static_cast<double>(image.weight[image.index(r, c)]); };
-  const double weight = 0.5 * (weightAt(row, column) + weightAt(other_row, other_column));
-  const Eigen::Vector3d middle = 0.5 * (image.ray(row, column) + image.ray(other_row, other_column));
-  ++count;
-  rays.noalias() += (weight * middle) * middle.transpose();
+Contact& Contact::operator+=(const Contact& other) {
+  count += other.count;
+  for (int k = 0; k < 6; ++k) rays[k] += other.rays[k];
+  return *this;
+}
+
+double Contact::squares(const Eigen::Vector3d& q) const {
+  const double x = q.x(), y = q.y(), z = q.z();
+  return x * (rays[0] * x + rays[1] * y + rays[2] * z) + y * (rays[1] * x + rays[3] * y + rays[4] * z) +
+         z * (rays[2] * x + rays[4] * y + rays[5] * z);
+}
+
+void RegionContacts::clear() {
+  table.clear();
+  contacts.clear();
+}
+
+const Contact* RegionContacts::find(const RegionPair& pair) const {
+  const int number = table.numberOf(pair);
+  return number < 0 ? nullptr : &contacts[static_cast<std::size_t>(number)];
 }
 
 namespace {
 
-/// The labelled pixel last seen on a line.
-struct LastLabel {
-  std::int32_t label = 0;  ///< 0: none yet
-  int place = 0;
-};
-
-/// Finds where labels follow each other on a row or column.
+/// Finds where labels follow each other on a row or column. Inside a region nothing needs to be looked at: each row
+/// tells by bits where a label begins or ends, to the left and above.
 class ContactSearch {
  public:
-  ContactSearch(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map)
-      : image_(image), bridge_(bridge), residual2_(residual * residual), map_(map) {}
+  ContactSearch(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map,
+                ContactSearchMemory& memory, RegionContacts& contacts)
+      : image_(image),
+        bridge_(bridge),
+        residual2_(residual * residual),
+        labels_(map.labels.data()),
+        memory_(memory),
+        contacts_(contacts) {}
 
-  // Inside a region nothing needs to be remembered: of the pixels before only those at its end count.
-  RegionContacts search() {
-    above_.assign(static_cast<std::size_t>(image_.width), LastLabel());
-    const std::vector<std::int32_t> no_row(static_cast<std::size_t>(image_.width), 0);
+  void search() {
+    memory_.borders.resize(image_.width);
+    memory_.upper_labelled.assign(wordsOf(image_.width), 0);
+    memory_.last_row.assign(static_cast<std::size_t>(image_.width), -bridge_ - 2);  // out of reach
     for (int row = 0; row < image_.height; ++row) {
-      const std::int32_t* labels = map_.labels.data() + image_.index(row, 0);
-      const std::int32_t* upper_labels = row > 0 ? labels - image_.width : no_row.data();
-      left_ = LastLabel();
-      std::int32_t left_label = 0;
-      for (int column = 0; column < image_.width; ++column) {
-        const std::int32_t label = labels[column];
-        const std::int32_t upper_label = upper_labels[column];
-        if (label != left_label) meetLeft(row, column, label, left_label);
-        if (label != upper_label) meetAbove(row, column, label, upper_label);
-        left_label = label;
-      }
+      memory_.borders.mark(labels_, image_.width, image_.height, row);
+      listPixels();
+      for (const int column : memory_.left) addContact(row, column, row, column - 1);
+      for (const int column : memory_.above) addContact(row, column, row - 1, column);
+      for (const int column : memory_.left_gap) meetAcross(row, column, row, lastLabelled(column), 1);
+      for (const int column : memory_.above_gap)
+        meetAcross(row, column, lastRow(column), column, static_cast<std::size_t>(image_.width));
+      for (const int column : memory_.ends) lastRow(column) = row - 1;
+      std::swap(memory_.upper_labelled, memory_.borders.labelled);
     }
-    return std::move(contacts_);
   }
 
  private:
-  void meetLeft(int row, int column, std::int32_t label, std::int32_t left_label) {
-    if (left_label != 0) left_ = {left_label, column - 1};
-    if (meets(left_, label, column) && !seesBehind(image_.index(row, left_.place), image_.index(row, column), 1))
-      contact_[{left_.label, label}].add(image_, row, column, row, left_.place);
+  void listPixels() {
+    for (PixelList* list : {&memory_.left, &memory_.above, &memory_.left_gap, &memory_.above_gap, &memory_.ends})
+      list->clear(image_.width);
+    for (std::size_t word = 0; word < memory_.upper_labelled.size(); ++word) {
+      const std::uint64_t labelled = memory_.borders.labelled[word];
+      const std::uint64_t left = memory_.borders.left[word] & labelled;
+      const std::uint64_t above = memory_.borders.above[word] & labelled;
+      const std::uint64_t left_labelled = fromLeft(memory_.borders.labelled, word);
+      const std::uint64_t upper_labelled = memory_.upper_labelled[word];
+      memory_.left.add(left & left_labelled, word);
+      memory_.above.add(above & upper_labelled, word);
+      memory_.left_gap.add(left & ~left_labelled, word);
+      memory_.above_gap.add(above & ~upper_labelled, word);
+      memory_.ends.add(upper_labelled & ~labelled, word);
+    }
   }
 
-  void meetAbove(int row, int column, std::int32_t label, std::int32_t upper_label) {
-    LastLabel& upper = above_[static_cast<std::size_t>(column)];
-    if (upper_label != 0) upper = {upper_label, row - 1};
-    if (meets(upper, label, row) && !seesBehind(image_.index(upper.place, column), image_.index(row, column),
-                                                static_cast<std::size_t>(image_.width)))
-      contact_[{upper.label, label}].add(image_, row, column, upper.place, column);
+  int& lastRow(int column) { return memory_.last_row[static_cast<std::size_t>(column)]; }
+
+  /// The last pixel with a label before an unlabelled one on this row.
+  int lastLabelled(int column) const {
+    auto word = static_cast<std::size_t>(column) / 64;
+    std::uint64_t bits = memory_.borders.labelled[word] & ((std::uint64_t{1} << column % 64) - 1);
+    while (bits == 0 && word > 0) bits = memory_.borders.labelled[--word];
+    return bits == 0 ? -bridge_ - 2 : static_cast<int>(64 * word) + 63 - __builtin_clzll(bits);
   }
 
-  bool meets(const LastLabel& last, std::int32_t label, int place) const {
-    return label != 0 && last.label != 0 && last.label != label && place - last.place <= bridge_ + 1;
+  void addContact(int row, int column, int other_row, int other_column) {
+    const RegionPair pair(labels_[image_.index(other_row, other_column)], labels_[image_.index(row, column)]);
+    contacts_[pair].add(image_, row, column, other_row, other_column);
+  }
+
+  void meetAcross(int row, int column, int other_row, int other_column, std::size_t step) {
+    if (row - other_row > bridge_ + 1 || column - other_column > bridge_ + 1) return;
+    const std::size_t first = image_.index(other_row, other_column), second = image_.index(row, column);
+    if (labels_[first] == labels_[second] || seesBehind(first, second, step)) return;
+    addContact(row, column, other_row, other_column);
   }
 
   /// Something between the two pixels lies farther away than both: a groove or a gap parts them.
   bool seesBehind(std::size_t first, std::size_t second, std::size_t step) const {
-    if (first + step == second) return false;
     const std::size_t farther = image_.w[first] < image_.w[second] ? first : second;
     const auto weight = static_cast<double>(image_.weight[farther]);
     for (std::size_t between = first + step; between < second; between += step) {
@@ -82,17 +114,17 @@ class ContactSearch {
   const InverseDepthImage& image_;
   int bridge_;
   double residual2_;
-  const RegionMap& map_;
-  RegionContacts contacts_;
-  RegionPairLookup<Contact> contact_{contacts_};
-  LastLabel left_;                ///< on this row, before the pixels without a label
-  std::vector<LastLabel> above_;  ///< the same, per column
+  const std::int32_t* labels_;
+  ContactSearchMemory& memory_;
+  RegionContacts& contacts_;
 };
 
 }  // namespace
 
-RegionContacts findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map) {
-  return ContactSearch(image, bridge, residual, map).search();
+void findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map,
+                  ContactSearchMemory& memory, RegionContacts& contacts) {
+  contacts.clear();
+  ContactSearch(image, bridge, residual, map, memory, contacts).search();
 }
 
 }  // namespace epcc

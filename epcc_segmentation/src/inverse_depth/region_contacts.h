@@ -3,71 +3,95 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
+#include <vector>
 
+#include "inverse_depth/label_borders.h"
 #include "inverse_depth/region_map.h"
+#include "inverse_depth/region_pairs.h"
 
 namespace epcc {
 
-/// Two labels, low < high.
-struct RegionPair {
-  std::int32_t low, high;
-  RegionPair(std::int32_t a, std::int32_t b) : low(a < b ? a : b), high(a < b ? b : a) {}
-  bool operator==(const RegionPair& other) const { return low == other.low && high == other.high; }
-  struct Hash {
-    std::size_t operator()(const RegionPair& pair) const {
-      return std::hash<std::uint64_t>()((static_cast<std::uint64_t>(static_cast<std::uint32_t>(pair.high)) << 32) |
-                                        static_cast<std::uint32_t>(pair.low));
-    }
-  };
-};
-
-template <typename Value>
-using RegionPairs = std::unordered_map<RegionPair, Value, RegionPair::Hash>;
-
-/// Looks pairs up, new ones too. Borders come in runs, so the pair before is tried first.
-template <typename Value>
-class RegionPairLookup {
- public:
-  explicit RegionPairLookup(RegionPairs<Value>& pairs) : pairs_(pairs) {}
-  Value& operator[](const RegionPair& pair) {
-    if (value_ == nullptr || !(pair == last_)) {
-      last_ = pair;
-      value_ = &pairs_[pair];  // stays where it is when others are added
-    }
-    return *value_;
-  }
-
- private:
-  RegionPairs<Value>& pairs_;
-  RegionPair last_{0, 0};
-  Value* value_ = nullptr;
-};
-
 /// Where two regions meet.
 struct Contact {
-  int count = 0;                                   ///< places
-  Eigen::Matrix3d rays = Eigen::Matrix3d::Zero();  ///< sum of ray ray^T / sigma^2 over them
+  int count = 0;        ///< places
+  double rays[6] = {};  ///< sum of ray ray^T / sigma^2 over them, the upper triangle: xx, xy, xz, yy, yz, zz
 
   /// Adds one place, between two pixels.
   void add(const InverseDepthImage& image, int row, int column, int other_row, int other_column);
-  Contact& operator+=(const Contact& other) {
-    count += other.count;
-    rays += other.rays;
-    return *this;
-  }
+  Contact& operator+=(const Contact& other);
+  /// Sum of (q . ray)^2 / sigma^2 over the places.
+  double squares(const Eigen::Vector3d& q) const;
 };
 
-using RegionContacts = RegionPairs<Contact>;
+inline void Contact::add(const InverseDepthImage& image, int row, int column, int other_row, int other_column) {
+  const auto weightAt = [&image](int r, int c) { return static_cast<double>(image.weight[image.index(r, c)]); };
+  const auto middle = [](const std::vector<double>& coordinate, int i, int j) {
+    return 0.5 * (coordinate[static_cast<std::size_t>(i)] + coordinate[static_cast<std::size_t>(j)]);
+  };
+  const double weight = 0.5 * (weightAt(row, column) + weightAt(other_row, other_column));
+  const double x = middle(image.across, column, other_column);
+  const double y = middle(image.along, row, other_row);
+  const double z = middle(image.forward, column, other_column);
+  const double wx = weight * x, wy = weight * y, wz = weight * z;
+  const double products[6] = {wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
+  for (int k = 0; k < 6; ++k) rays[k] += products[k];
+  ++count;
+}
+
+/// The contacts of pairs of regions. Keeps its memory from frame to frame.
+class RegionContacts {
+ public:
+  void clear();
+  Contact& operator[](const RegionPair& pair) {
+    const auto number = static_cast<std::size_t>(table.add(pair));
+    if (number == contacts.size()) contacts.emplace_back();
+    return contacts[number];
+  }
+  /// That of a pair, null if it has none.
+  const Contact* find(const RegionPair& pair) const;
+
+  RegionPairTable table;          ///< their numbers
+  std::vector<Contact> contacts;  ///< by number
+};
+
+/// What the search for contacts remembers of the lines, kept from frame to frame.
+struct ContactSearchMemory {
+  RowBorders borders;
+  RowBits upper_labelled;         ///< of the row above
+  PixelList left, above;          ///< pixels whose neighbour has another label
+  PixelList left_gap, above_gap;  ///< pixels whose neighbour has none
+  PixelList ends;                 ///< pixels without a label below one with
+  std::vector<int> last_row;      ///< per column: the last row with a label above the pixels without one
+};
 
 /// Regions whose labels follow each other on a row or column across at most `bridge` unlabelled pixels, none of which
 /// lies farther away than both by more than `residual` sigma: a groove separates surfaces even if they are coplanar.
-RegionContacts findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map);
+void findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map,
+                  ContactSearchMemory& memory, RegionContacts& contacts);
+
+/// What the search for occluded contacts remembers of the lines, kept from frame to frame.
+struct OcclusionMemory {
+  struct Plane {
+    double x = 0.0, y = 0.0, z = 0.0;  ///< q
+    double max_square = 0.0;           ///< of a residual on the plane
+  };
+  struct Begin {
+    int row, line;
+  };
+  std::vector<Plane> planes;  ///< per label
+  RowBits left, above;
+  PixelList columns;
+  std::vector<int> begins;               ///< of the runs on a line
+  std::vector<std::int32_t> labels;      ///< of the runs on a line
+  std::vector<Begin> begins_on_columns;  ///< in the order of rows
+  std::vector<int> sorted_begins;        ///< their rows, in that of columns
+  std::vector<int> first_of_column;      ///< in sorted_begins
+};
 
 /// Regions that face each other on a row or column across something nearer than the plane of the longer run by more
 /// than `residual` sigma, which takes no more pixels than max_occluder times those of the two, with nothing farther
 /// away between them. They may be one surface behind an occluder.
-RegionContacts findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual,
-                                    const RegionMap& map);
+void findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
+                          OcclusionMemory& memory, RegionContacts& contacts);
 
 }  // namespace epcc

@@ -2,6 +2,8 @@
 // Moments of labelled pixels, from sums over their rows.
 #include "inverse_depth/region_map.h"
 
+#include "inverse_depth/relabelling.h"
+
 namespace epcc {
 
 namespace {
@@ -40,7 +42,7 @@ void RegionMap::relabel(const std::vector<std::int32_t>& new_label) {
   std::size_t kept = 0;
   while (kept < new_label.size() && new_label[kept] == static_cast<std::int32_t>(kept)) ++kept;
   if (kept == new_label.size()) return;
-  for (auto& label : labels) label = new_label[static_cast<std::size_t>(label)];
+  relabelPixels(labels.data(), labels.size(), new_label.data());
 }
 
 }  // namespace epcc

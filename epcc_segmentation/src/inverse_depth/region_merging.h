@@ -2,15 +2,83 @@
 // S4: neighbouring regions that are one surface within the sensor's error become one.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "inverse_depth/region_contacts.h"
+#include "inverse_depth/region_sums.h"
 
 namespace epcc {
 
-/// Merges best-first until no two regions in contact are alike, then unlabels the regions with fewer than min_samples
-/// independent samples. Labels and moments of `map` are updated.
-void mergeRegions(const RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                  RegionMap& map);
+/// Merges regions best-first. Keeps its memory from frame to frame.
+class RegionMerger {
+ public:
+  /// Merges until no two regions in contact are alike, then unlabels the regions with fewer than min_samples
+  /// independent samples. Labels and moments of `map` are updated; the contacts are used up.
+  void merge(RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
+             RegionMap& map);
+
+ private:
+  /// A region, or what became of some. Which of two nodes takes the other in is a question of their contacts, not of
+  /// their labels: those of the node with fewer move, so that a region with thousands of neighbours is not walked
+  /// through at every merge.
+  struct Node {
+    std::int32_t label = 0;  ///< the smallest of the regions
+    int contacts = 0;        ///< at most so many
+    int first = -1;          ///< end of a contact
+    double judged_n = 0.0;   ///< pixels when all its contacts were judged
+    RegionSums sums;
+    SumsPlane plane;
+  };
+  /// A possible merge; of equal costs the smaller labels go first, so that the order is always the same. Which of two
+  /// is better cannot be predicted: no branches.
+  struct Candidate {
+    double cost;
+    std::int32_t a, b;  ///< labels, a < b
+    int contact, judgement;
+    bool operator>(const Candidate& other) const {
+      return (cost > other.cost) | ((cost == other.cost) & ((a > other.a) | ((a == other.a) & (b > other.b))));
+    }
+  };
+  /// The last one of a contact.
+  struct Judgement {
+    int number = 0;  ///< counts them
+    int version_a = 0, version_b = 0;
+  };
+
+  void begin(const RegionMap& map);
+  void linkContacts();
+  void link(int end, int node);
+  void judge(int number);
+  void judgeAll(Node& node);
+  bool isLast(const Candidate& candidate) const;
+  bool isFresh(const Candidate& candidate);
+  void mergeLabels(std::int32_t a, std::int32_t b);
+  void moveContacts(int from, int into, bool judge_moved);
+  double cost(const Node& a, const Node& b, const Contact& contact) const;
+  void dropSmallRegions(std::vector<PlaneMoments>& regions);
+
+  Contact& contact(int number) { return contacts_->contacts[static_cast<std::size_t>(number)]; }
+  Node& node(int k) { return nodes_[static_cast<std::size_t>(k)]; }
+  int& nodeAt(int end) { return node_at_[static_cast<std::size_t>(end)]; }
+  int& nextOf(int end) { return next_[static_cast<std::size_t>(end)]; }
+  int& nodeOf(std::int32_t label) { return node_of_[static_cast<std::size_t>(label)]; }
+  int& version(std::int32_t label) { return version_[static_cast<std::size_t>(label)]; }
+
+  InverseDepthParameters::Merging parameters_;
+  double region_tolerance_ = 0.0;
+  double pixels_per_sample_ = 1.0;
+  RegionContacts* contacts_ = nullptr;   ///< numbered; one that went up in another has no places left
+  std::vector<Node> nodes_;              ///< first one per label; 0 is none
+  std::vector<int> node_of_, version_;   ///< per label
+  std::vector<int> node_at_, next_;      ///< per end of a contact, 2 number and 2 number + 1: its node; the node's next
+  std::vector<Candidate> queue_;         ///< a heap, the best on top
+  std::vector<Judgement> judgements_;    ///< per contact
+  std::vector<int> to_judge_;            ///< contacts
+  std::vector<std::int32_t> new_label_;  ///< per label
+};
 
 }  // namespace epcc

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inverse_depth/label_borders.h"
+
 namespace epcc {
 
 namespace {
@@ -18,7 +20,10 @@ constexpr double kSamples = 500.0;
 /// Pixels of a scan more than 78 degrees to the side of a region's middle are left out: u grows without bounds there.
 constexpr double kMinDepth = 0.2;
 
+/// 1, u, v, u^2, u v, v^2.
 using Terms = Eigen::Matrix<double, 6, 1>;
+constexpr int kPowerOfU[] = {0, 1, 0, 2, 1, 0};
+constexpr int kPowerOfV[] = {0, 0, 1, 0, 1, 2};
 
 /// A region in the camera's coordinates u = x/z, v = y/z about its middle (u0, v0). On a scan, whose rays go all
 /// around, in those of a camera turned about the scan's axis until it looks at the region.
@@ -42,33 +47,32 @@ class RegionView {
     normal_ = {cosine_ * q_.x() - sine_ * q_.z(), q_.y(), sine_ * q_.x() + cosine_ * q_.z()};
   }
 
-  int stride() const { return stride_; }
+  bool isOnGrid(int row) const { return row % stride_ == 0; }
 
-  void add(const Eigen::Vector3d& ray, double w, double weight_of_w) {
-    const double depth = sine_ * ray.x() + cosine_ * ray.z();  // 1 unless turned
-    if (depth < kMinDepth) return;
-    const double u = (cosine_ * ray.x() - sine_ * ray.z()) / depth - u0_;
-    const double v = ray.y() / depth - v0_;
-    const double residual = (w - q_.dot(ray)) / depth;
-    const double weight = depth * depth * weight_of_w;
-    const double terms[] = {1.0, u, v, u * u, u * v, v * v};
-    for (int i = 0, k = 0; i < 6; ++i) {
-      const double weighted = weight * terms[i];
-      for (int j = 0; j <= i; ++j) products_[k++] += weighted * terms[j];
-      right_side_[i] += weighted * residual;
-    }
-    rss_ += weight * residual * residual;
+  /// Pixels [begin, end) of a row, those on the grid.
+  void addRun(const InverseDepthImage& image, int row, int begin, int end) {
+    if (!isOnGrid(row)) return;
+    const int first = (begin + stride_ - 1) / stride_ * stride_;
+    const double along = image.along[static_cast<std::size_t>(row)];
+    if (image.planar_rows)
+      addPlanarRun(image, row, first, end, along - v0_);
+    else
+      for (int column = first; column < end; column += stride_) addOfScan(image, row, column, along);
   }
 
   Bending bending() const {
     Eigen::Matrix<double, 6, 6> normal_matrix;
-    for (int i = 0, k = 0; i < 6; ++i)
-      for (int j = 0; j <= i; ++j) normal_matrix(i, j) = normal_matrix(j, i) = products_[k++];
-    const Terms c = normal_matrix.ldlt().solve(right_side_);
+    Terms right_side;
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j < 6; ++j)
+        normal_matrix(i, j) = products_[kPowerOfU[i] + kPowerOfU[j]][kPowerOfV[i] + kPowerOfV[j]];
+      right_side[i] = residuals_[kPowerOfU[i]][kPowerOfV[i]];
+    }
+    const Terms c = normal_matrix.ldlt().solve(right_side);
     const double scale = stride_ * stride_ / slope_factor_;
     Bending result;
     result.rss = scale * rss_;
-    result.gain = std::min(result.rss, scale * c.dot(right_side_));
+    result.gain = std::min(result.rss, scale * c.dot(right_side));
     // The surface is F = z w(x/z, y/z) - 1 = 0 with gradient `normal` and, in the middle, second derivatives
     // J^T H J / z, J = z d(u, v) / d(x, y, z). Its second fundamental form is their restriction to the tangents.
     Eigen::Matrix2d hessian;
@@ -86,13 +90,67 @@ class RegionView {
   }
 
  private:
+  /// Weighted sums over pixels of one v.
+  struct Sums {
+    double u[5] = {};         ///< of u^i
+    double residual[3] = {};  ///< of residual u^i
+    double rss = 0.0;
+
+    void add(double x, double error, double weight) {
+      const double xx = x * x, wx = weight * x, wxx = weight * xx, we = weight * error;
+      u[0] += weight;
+      u[1] += wx;
+      u[2] += wxx;
+      u[3] += wxx * x;
+      u[4] += wxx * xx;
+      residual[0] += we;
+      residual[1] += we * x;
+      residual[2] += we * xx;
+      rss += we * error;
+    }
+  };
+
+  void addPlanarRun(const InverseDepthImage& image, int row, int first, int end, double v) {
+    const std::size_t start = image.index(row, 0);
+    const double q_row = q_.y() * image.along[static_cast<std::size_t>(row)] + q_.z();
+    Sums sums;
+    for (auto column = static_cast<std::size_t>(first); column < static_cast<std::size_t>(end);
+         column += static_cast<std::size_t>(stride_)) {
+      const double across = image.across[column];
+      const double error = static_cast<double>(image.w[start + column]) - (q_.x() * across + q_row);
+      sums.add(across - u0_, error, static_cast<double>(image.weight[start + column]));
+    }
+    add(sums, v);
+  }
+
+  void addOfScan(const InverseDepthImage& image, int row, int column, double along) {
+    const Eigen::Vector3d ray = image.ray(row, column);
+    const double depth = sine_ * ray.x() + cosine_ * ray.z();
+    if (depth < kMinDepth) return;
+    const std::size_t pixel = image.index(row, column);
+    const double error = static_cast<double>(image.w[pixel]) - q_.dot(ray);
+    Sums sums;
+    sums.add((cosine_ * ray.x() - sine_ * ray.z()) / depth - u0_, error / depth,
+             depth * depth * static_cast<double>(image.weight[pixel]));
+    add(sums, along / depth - v0_);
+  }
+
+  void add(const Sums& sums, double v) {
+    double power = 1.0;
+    for (int j = 0; j < 5; ++j, power *= v) {
+      for (int i = 0; i + j < 5; ++i) products_[i][j] += sums.u[i] * power;
+      for (int i = 0; i + j < 3; ++i) residuals_[i][j] += sums.residual[i] * power;
+    }
+    rss_ += sums.rss;
+  }
+
   double sine_ = 0.0, cosine_ = 1.0, u0_ = 0.0, v0_ = 0.0, rss_ = 0.0;
   Eigen::Vector3d q_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  // q in the turned camera: the plane's normal / distance
   double slope_factor_ = 1.0;
   int stride_ = 1;
-  double products_[21] = {};  // lower triangle of the sum of terms terms^T
-  Terms right_side_ = Terms::Zero();
+  double products_[5][5] = {};   // [i][j]: sum of u^i v^j
+  double residuals_[3][3] = {};  // the same times the residual
 };
 
 }  // namespace
@@ -106,21 +164,23 @@ std::vector<Bending> measureBending(const InverseDepthImage& image, const Region
       view_of[k + 1] = static_cast<std::int32_t>(views.size());
       views.emplace_back(map.regions[k], !image.planar_rows);
     }
-  std::vector<std::uint8_t> on_grid(views.size());  // of the view's grid, the row
+  RowBits left(wordsOf(image.width), 0);
+  PixelList begins;
   for (int row = 0; row < image.height; ++row) {
-    for (std::size_t k = 0; k < views.size(); ++k) on_grid[k] = row % views[k].stride() == 0;
-    const std::int32_t* labels = map.labels.data() + image.index(row, 0);
-    for (int begin = 0, end = 0; begin < image.width; begin = end) {
-      while (end < image.width && labels[end] == labels[begin]) ++end;
-      const std::int32_t k = view_of[static_cast<std::size_t>(labels[begin])];
-      if (k < 0 || on_grid[static_cast<std::size_t>(k)] == 0) continue;
-      RegionView& view = views[static_cast<std::size_t>(k)];
-      const int stride = view.stride();
-      for (int column = (begin + stride - 1) / stride * stride; column < end; column += stride) {
-        const std::size_t pixel = image.index(row, column);
-        view.add(image.ray(row, column), static_cast<double>(image.w[pixel]), static_cast<double>(image.weight[pixel]));
-      }
-    }
+    const bool on_grid =
+        std::any_of(views.begin(), views.end(), [row](const RegionView& v) { return v.isOnGrid(row); });
+    if (!on_grid) continue;
+    markLeftBorders(map.labels.data(), image.width, image.height, row, left);
+    begins.clear(image.width);
+    for (std::size_t word = 0; word < left.size(); ++word) begins.add(left[word], word);
+    int begin = 0;
+    const auto sampleRun = [&](int end) {
+      const std::int32_t k = view_of[static_cast<std::size_t>(map.labels[image.index(row, begin)])];
+      if (k >= 0) views[static_cast<std::size_t>(k)].addRun(image, row, begin, end);
+      begin = end;
+    };
+    for (const int end : begins) sampleRun(end);
+    sampleRun(image.width);
   }
   std::vector<Bending> result(map.regions.size());
   for (std::size_t k = 0; k < map.regions.size(); ++k)

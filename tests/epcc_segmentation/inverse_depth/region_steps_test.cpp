@@ -35,7 +35,10 @@ std::vector<std::int32_t> strips(const epcc::PinholeCamera& camera, int strip) {
 }
 
 void merge(const InverseDepthImage& image, const SensorModel& sensor, RegionMap& map) {
-  epcc::mergeRegions(epcc::findContacts(image, 25, 3.0, map), epcc::InverseDepthParameters(), sensor, map);
+  epcc::ContactSearchMemory memory;
+  epcc::RegionContacts contacts;
+  epcc::findContacts(image, 25, 3.0, map, memory, contacts);
+  epcc::RegionMerger().merge(contacts, epcc::InverseDepthParameters(), sensor, map);
 }
 
 TEST(RegionMerging, PiecesOfOneWallBecomeOne) {
@@ -46,6 +49,19 @@ TEST(RegionMerging, PiecesOfOneWallBecomeOne) {
   merge(image, kWhite, map);
   EXPECT_EQ(map.regions[0].n, 160.0 * 120.0);
   for (const auto label : map.labels) ASSERT_EQ(label, 1);
+}
+
+TEST(RegionMerging, AWallOfThousandsOfSpecksBecomesOne) {
+  auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera(640, 480));
+  epcc::test::addNoise(room, kWhite, 3);
+  const SensorModel blotchy = SensorModel::axial(0.002, 0.0, 4.0);  // wide tolerance for fragments
+  const auto image = imageOf(room, blotchy);
+  std::vector<std::int32_t> labels;
+  for (int row = 0; row < 480; ++row)
+    for (int column = 0; column < 640; ++column) labels.push_back(1 + row / 4 * 160 + column / 4);
+  auto map = regionsOf(image, labels, 19200);
+  merge(image, blotchy, map);
+  EXPECT_EQ(map.regions[0].n, 640.0 * 480.0);
 }
 
 TEST(RegionMerging, TheFacesOfARoomStayApart) {
@@ -169,6 +185,17 @@ TEST(SurfaceBending, MeasuresTheRadiusOfRoundThingsAnywhereInTheImage) {
       }
 }
 
+TEST(SurfaceBending, IsMeasuredOnScansToo) {
+  const auto room = roundThing(0.5, true, 200.0, 100.0);
+  auto image = imageOf(room);
+  const auto map = regionsOf(image, room.labels, 1);
+  const auto planar = epcc::measureBending(image, map, {1}).front();
+  image.planar_rows = false;  // the same rays, taken one by one in a turned view
+  const auto turned = epcc::measureBending(image, map, {1}).front();
+  EXPECT_NEAR(turned.curvature, planar.curvature, 0.1);
+  EXPECT_NEAR(turned.rss, planar.rss, 1e-9 * planar.rss);
+}
+
 TEST(SurfaceBending, IsZeroOnASlantedPlaneAndForRegionsNotAskedFor) {
   const auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(320, 240));
   const auto image = imageOf(room);
@@ -215,9 +242,11 @@ RenderedRoom wallBehindAPole(int width, float depth, float right_wall = 2.0f) {
 int occludedContacts(const RenderedRoom& room) {
   const auto image = imageOf(room);
   const auto map = regionsOf(image, room.labels, 2);
-  const auto contacts = epcc::findOccludedContacts(image, 0.5, 3.0, map);
-  const auto found = contacts.find(RegionPair(2, 1));
-  return found == contacts.end() ? 0 : found->second.count;
+  epcc::OcclusionMemory memory;
+  epcc::RegionContacts contacts;
+  epcc::findOccludedContacts(image, 0.5, 3.0, map, memory, contacts);
+  const epcc::Contact* found = contacts.find(RegionPair(2, 1));
+  return found == nullptr ? 0 : found->count;
 }
 
 TEST(OccludedContacts, AreFoundBehindWhatIsNearerOnly) {
@@ -247,7 +276,10 @@ TEST(OccludedContacts, TwoPartsOfAWallBecomeOne) {
   epcc::test::addNoise(room, kWhite, 8);
   const auto image = imageOf(room);
   auto map = regionsOf(image, room.labels, 2);
-  epcc::mergeRegions(epcc::findOccludedContacts(image, 0.5, 3.0, map), epcc::InverseDepthParameters(), kWhite, map);
+  epcc::OcclusionMemory memory;
+  epcc::RegionContacts contacts;
+  epcc::findOccludedContacts(image, 0.5, 3.0, map, memory, contacts);
+  epcc::RegionMerger().merge(contacts, epcc::InverseDepthParameters(), kWhite, map);
   EXPECT_EQ(map.regions[0].n, 140.0 * 120.0);
   EXPECT_EQ(map.regions[1].n, 0.0);
 }

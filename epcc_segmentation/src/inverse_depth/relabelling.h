@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gives pixels new labels.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace epcc {
+
+/// labels[i] = new_label[labels[i]].
+void relabelPixels(std::int32_t* labels, std::size_t count, const std::int32_t* new_label);
+
+}  // namespace epcc
