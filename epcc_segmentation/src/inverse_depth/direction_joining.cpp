@@ -37,12 +37,16 @@ HWY_INLINE Rank columnRanks(const JoinedRow& in, int column) {
   std::uint32_t* rank = in.known_rank + column;
   const Int id = hn::LoadU(d, segment);
   const auto none = hn::Lt(id, hn::Zero(d));
-  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(none, hn::Eq(id, hn::LoadU(d, known))))))
-    for (int k = 0; k < kLanes; ++k)
-      if (segment[k] >= 0 && segment[k] != known[k]) {
-        known[k] = segment[k];
-        rank[k] = in.column_rank[in.column_first[column + k] + segment[k]];
-      }
+  const auto fresh = hn::Not(hn::Or(none, hn::Eq(id, hn::LoadU(d, known))));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, fresh))) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, fresh, bytes);
+    for (unsigned lanes = bytes[0] | (static_cast<unsigned>(bytes[1]) << 8); lanes != 0; lanes &= lanes - 1) {
+      const auto k = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
+      known[k] = segment[k];
+      rank[k] = in.column_rank[in.column_first[static_cast<std::size_t>(column) + k] + segment[k]];
+    }
+  }
   return select(none, hn::Set(Ranks(), kNoPlane), hn::LoadU(Ranks(), rank));
 }
 
