@@ -187,6 +187,7 @@ void expectEqual(const InverseDepthImage& image, const InverseDepthParameters& p
       ASSERT_EQ(segment_of, expected.segment_of) << "line " << line << " of " << (columns ? "columns" : "rows");
       ASSERT_EQ(strips.lineCount(line), static_cast<int>(expected.lines.size()));
       static_assert(sizeof(GrownLine) == 32, "no padding");
+      if (expected.lines.empty()) continue;
       ASSERT_EQ(std::memcmp(strips.lines(line), expected.lines.data(), sizeof(GrownLine) * expected.lines.size()), 0);
     }
   }
