@@ -8,7 +8,7 @@
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
-#include "metric/line_clustering.h"
+#include "metric/clustered_line.h"
 #include "metric/recursive_statistics.h"
 
 namespace epcc {
