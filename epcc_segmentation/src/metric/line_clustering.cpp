@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include "metric/line_candidates-inl.h"
+#include "sensor_variance-inl.h"
 #include "vector/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,15 +39,6 @@ struct Prototypes {
   VI number, last, waiting;  // segment, row of its last sample, samples rejected since
 };
 
-/// sigma_z^2 (Eq. 22).
-HWY_INLINE VF varianceOf(const SensorVariance& v, VF z) {
-  const Float d;
-  const VF polynomial = hn::Add(hn::Mul(hn::Add(hn::Mul(hn::Set(d, v.k0), z), hn::Set(d, v.k1)), z), hn::Set(d, v.k2));
-  const VF spread = hn::Max(polynomial, hn::Zero(d));
-  const VF variance = hn::Add(hn::Mul(spread, spread), hn::Set(d, v.floor));
-  return hn::Min(hn::Max(variance, hn::Set(d, v.smallest)), hn::Set(d, v.largest));
-}
-
 HWY_INLINE MF isMeasured(VF t1, VF t2) {
   const Float d;
   return hn::And(hn::Gt(t1, hn::Zero(d)), hn::Le(hn::Max(t1, hn::Abs(t2)), hn::Set(d, kFarthest)));
@@ -61,7 +53,7 @@ HWY_INLINE Samples readDepths(const ScanStrip& strip, const LineRule& rule, int 
   s.ray2 = hn::Set(d, strip.along[row]);
   s.t1 = hn::Mul(z, s.ray1);
   s.t2 = hn::Mul(z, s.ray2);
-  s.variance = varianceOf(rule.variance, z);
+  s.variance = varianceOf(d, rule.variance, z);
   s.measured = isMeasured(s.t1, s.t2);
   return s;
 }
@@ -83,7 +75,7 @@ HWY_INLINE Samples readPoints(const ScanStrip& strip, const LineRule& rule, int 
   const VF inverse = hn::Div(one, depth);
   s.ray1 = hn::Mul(s.t1, inverse);
   s.ray2 = hn::Mul(s.t2, inverse);
-  s.variance = varianceOf(rule.variance, depth);
+  s.variance = varianceOf(d, rule.variance, depth);
   const VF inverse_t1 = hn::Div(one, hn::IfThenElse(s.measured, s.t1, one));
   sum_x = hn::Add(sum_x, hn::IfThenElseZero(s.measured, hn::Mul(x, inverse_t1)));
   sum_z = hn::Add(sum_z, hn::IfThenElseZero(s.measured, hn::Mul(z, inverse_t1)));
@@ -379,21 +371,7 @@ namespace epcc {
 
 namespace {
 HWY_EXPORT(clusterStrip);
-constexpr float kSmallestVariance = 1e-12f;  // of SensorModel
-constexpr float kLargestVariance = 1e8f;     // what exceeds it says nothing at distances below kFarthest
 }  // namespace
-
-SensorVariance::SensorVariance(const SensorModel& sensor) : smallest(kSmallestVariance), largest(kLargestVariance) {
-  const auto k = sensor.coefficients();
-  if (sensor.isPolynomial()) {
-    k0 = static_cast<float>(k[0]);
-    k1 = static_cast<float>(k[1]);
-    k2 = static_cast<float>(k[2]);
-  } else {
-    k0 = static_cast<float>(k[1]);
-    floor = static_cast<float>(k[0] * k[0]);
-  }
-}
 
 LineRule::LineRule(const PaperParameters& parameters, const SensorModel& sensor)
     : k_max_squared(static_cast<float>(parameters.line_k_max * parameters.line_k_max)),

@@ -8,6 +8,7 @@
 
 #include "epcc_segmentation/paper_parameters.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "sensor_variance.h"
 
 namespace epcc {
 
@@ -16,14 +17,6 @@ constexpr int kStripLines = 32;
 
 /// Numbers beyond which squares of metres leave single precision; such samples count as not measured.
 constexpr float kFarthest = 1e5f;
-
-/// sigma_z^2 in single precision, both forms of the sensor model without a branch:
-/// max(0, (k0 z + k1) z + k2)^2 + floor, within [smallest, largest].
-struct SensorVariance {
-  SensorVariance() = default;
-  explicit SensorVariance(const SensorModel& sensor);
-  float k0 = 0.0f, k1 = 0.0f, k2 = 0.0f, floor = 0.0f, smallest = 0.0f, largest = 0.0f;
-};
 
 /// What Algorithm 1 decides by.
 struct LineRule {
