@@ -255,6 +255,15 @@ void emitSegment(Lines& lines, int line, const LinePrototypeLane& p, int last) {
   record.last_sample[1] = last_sample.t2;
 }
 
+template <class D>
+HWY_INLINE std::uint64_t bitsOf(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  std::uint64_t bits;
+  hwy::CopyBytes<8>(bytes, &bits);
+  return bits;
+}
+
 /// The old segment goes out before the new one takes its samples from the buffer.
 void startSegment(Lines& lines, int line, int lane, int start, StoredPrototypes& stored) {
   if (stored.integers[0][lane] != 0) emitSegment(lines, line, laneOf(stored, lane), stored.integers[1][lane]);
@@ -262,21 +271,26 @@ void startSegment(Lines& lines, int line, int lane, int start, StoredPrototypes&
   StripSegments& result = lines.result;
   const std::int32_t number = result.first_number + line * result.capacity + result.count[line];
   const auto take = [&](int i) HWY_ATTR {
-    result.numbers[static_cast<std::size_t>(buffer.row[i]) * result.number_stride + line] = number;
-    stored.integers[1][lane] = buffer.row[i];
+    const int row = buffer.counts[SampleBuffer::kRow][i];
+    result.numbers[static_cast<std::size_t>(row) * result.number_stride + line] = number;
+    stored.integers[1][lane] = row;
   };
   const int fit_end = start + lines.rule.fit_samples;
-  const LinePrototypeLane candidate = buffer.candidate(start);
-  LinePrototypeLane p = candidate;
+  LinePrototypeLane p = buffer.candidate(start, lines.rule);
+  Agreement agreement;
+  agreement.setCandidate(p);
   for (int i = start; i < fit_end; ++i) take(i);
-  for (int i = fit_end; i < buffer.end; ++i) {
-    const LineSample sample = buffer.sample(i);
-    if (!agrees(lines.rule, candidate, sample)) continue;
-    addSample(sample, p);
-    take(i);
+  for (int i = fit_end; i < buffer.end; i += kBufferLanes) {
+    agreement.loadSamples(buffer, i);
+    const BufferMask agrees = hn::And(agreement.holds(lines.rule), lanesBefore(i, buffer.end));
+    for (std::uint64_t bits = bitsOf(BufferTag(), agrees); bits != 0; bits &= bits - 1) {
+      const int at = i + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+      addSample(buffer.sample(at), p);
+      take(at);
+    }
   }
   finishFit(p);
-  lines.first[line] = buffer.row[start];
+  lines.first[line] = buffer.counts[SampleBuffer::kRow][start];
   setLane(p, lane, stored);
   stored.integers[0][lane] = number;
   stored.integers[2][lane] = 0;
@@ -297,14 +311,6 @@ HWY_NOINLINE void findSegments(Lines& lines, int first_line, int row, std::uint6
     startSegment(lines, line, lane, start, stored);
   }
   if (changed) load(stored, p);
-}
-
-HWY_INLINE std::uint64_t bitsOf(MF mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Float(), mask, bytes);
-  std::uint64_t bits;
-  hwy::CopyBytes<8>(bytes, &bits);
-  return bits;
 }
 
 /// Two vectors of lines, from the first row to the last.
@@ -328,8 +334,8 @@ void clusterSides(Lines& lines, int first_line) {
     const MF full0 = step(rule, s0, row, numbers, p0);
     const MF full1 = step(rule, s1, row, numbers + kLanes, p1);
     if (HWY_LIKELY(hn::AllFalse(d, hn::Or(full0, full1)))) continue;
-    if (!hn::AllFalse(d, full0)) findSegments(lines, first_line, row, bitsOf(full0), p0);
-    if (!hn::AllFalse(d, full1)) findSegments(lines, second_line, row, bitsOf(full1), p1);
+    if (!hn::AllFalse(d, full0)) findSegments(lines, first_line, row, bitsOf(d, full0), p0);
+    if (!hn::AllFalse(d, full1)) findSegments(lines, second_line, row, bitsOf(d, full1), p1);
   }
   const auto finish = [&](const Prototypes& p, VF x, VF z, int line) HWY_ATTR {
     StoredPrototypes stored;

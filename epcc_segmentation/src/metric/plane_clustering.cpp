@@ -2,17 +2,18 @@
 // Algorithm 2 of the paper, one function a step.
 #include "metric/plane_clustering.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
 #include "metric/segment_distance.h"
+#include "metric/smallest_eigenvector.h"
 
 namespace epcc {
 
 namespace {
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr double kBeyond = 1.0 + 1e-9;     // a cost that is larger than the limit, whatever the rounding
 constexpr double kMinMeanDistance = 1e-6;  // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
 
 // Eq. 26 of an endpoint at `ratio` times the mean distance.
@@ -43,10 +44,18 @@ void PlanePrototype::add(const Eigen::Vector3d& endpoint, EndpointWeight form) {
 }
 
 void PlanePrototype::refit() {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(statistics.covariance);
-  normal = solver.eigenvectors().col(0);
+  normal = smallestEigenvector(statistics.covariance);
   variance = varianceAlong(statistics.covariance, normal);
+}
+
+void PlaneClustering::configure(const PaperParameters& parameters, const SensorModel& sensor) {
+  parameters_ = parameters;
+  sensor_ = sensor;
+  const PlaneCriterion form = parameters.criterion;
+  with_sensor_ = form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSensor ? 1.0 : 0.0;
+  with_segment_ =
+      form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSegment ? 1.0 : 0.0;
+  smallest_cosine_ = std::cos(parameters.expert.planes.max_start_angle * M_PI / 180.0);
 }
 
 void PlaneClustering::begin(Projection projection) {
@@ -90,30 +99,26 @@ PlaneClustering::Segment PlaneClustering::makeSegment(const ClusteredLine& line_
   const double depth_b = depth(segment.b);
   segment.ray_a = segment.a / depth_a;
   segment.ray_b = segment.b / depth_b;
-  const double sigma_a = sensor_.sigmaZ(depth_a);
-  const double sigma_b = sensor_.sigmaZ(depth_b);
-  segment.sensor_variance_a = sigma_a * sigma_a;
-  segment.sensor_variance_b = sigma_b * sigma_b;
+  segment.sensor_variance_a = sensor_.varianceZ(depth_a);
+  segment.sensor_variance_b = sensor_.varianceZ(depth_b);
   segment.variance = line_segment.prototype.variance;
   segment.reach = parameters_.max_gap + sensor_.sigmaZ(0.5 * (depth_a + depth_b));
   return segment;
 }
 
-// Eq. 23 with the variances of Table 2; the larger of the two endpoints decides.
-double PlaneClustering::cost(const PlanePrototype& plane, const Segment& segment) const {
-  const PlaneCriterion form = parameters_.criterion;
-  const bool with_sensor = form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSensor;
-  const bool with_segment = form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSegment;
+// Eq. 23 with the variances of Table 2; the larger of the two endpoints decides. `limit` or more where it is not below.
+double PlaneClustering::cost(const PlanePrototype& plane, const Segment& segment, double limit) const {
   const auto endpoint_cost = [&](const Eigen::Vector3d& h, const Eigen::Vector3d& ray, double sensor_variance) {
     const double d = plane.distance(h);
     const double q = plane.normal.dot(ray);
-    double variance = plane.variance;
-    if (with_sensor) variance += sensor_variance * q * q;
-    if (with_segment) variance += segment.variance;
-    return d * d / std::max(variance, 1e-18);
+    const double variance =
+        std::max(plane.variance + with_sensor_ * sensor_variance * q * q + with_segment_ * segment.variance, 1e-18);
+    // Most are far beyond: the division is for those that are not.
+    return d * d > kBeyond * limit * variance ? limit : d * d / variance;
   };
-  return std::max(endpoint_cost(segment.a, segment.ray_a, segment.sensor_variance_a),
-                  endpoint_cost(segment.b, segment.ray_b, segment.sensor_variance_b));
+  const double cost_a = endpoint_cost(segment.a, segment.ray_a, segment.sensor_variance_a);
+  if (cost_a >= limit) return limit;
+  return std::max(cost_a, endpoint_cost(segment.b, segment.ray_b, segment.sensor_variance_b));
 }
 
 // Labelled segments of the nearest earlier scan line that has one that fits; the best cost wins.
@@ -126,7 +131,7 @@ int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
     int best = kUnlabelled;
     for (std::size_t j = previous.begin; j < previous.end; ++j) {
       if (labels_[j] == kUnlabelled) continue;
-      const double c = cost(planes_[static_cast<std::size_t>(labels_[j])], segment);
+      const double c = cost(planes_[static_cast<std::size_t>(labels_[j])], segment, best_cost);
       if (c >= best_cost) continue;
       const Segment& neighbour = segments_[j];
       if (squaredSegmentDistance(segment.a, segment.b, neighbour.a, neighbour.b) > segment.reach * segment.reach)
@@ -141,7 +146,6 @@ int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
 
 // The unlabelled earlier segment that is most nearly coplanar with this one.
 std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t line) const {
-  const double smallest_cosine = std::cos(parameters_.expert.planes.max_start_angle * M_PI / 180.0);
   const Eigen::Vector3d direction = (segment.b - segment.a).normalized();
   const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.expert.planes.pair_look_back));
   double best_ratio = 0.25 * parameters_.plane_k_max * parameters_.plane_k_max;
@@ -152,7 +156,7 @@ std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t li
       if (labels_[j] != kUnlabelled) continue;
       const Segment& partner = segments_[j];
       const Eigen::Vector3d partner_vector = partner.b - partner.a;
-      if (std::abs(direction.dot(partner_vector.normalized())) < smallest_cosine) continue;
+      if (std::abs(direction.dot(partner_vector.normalized())) < smallest_cosine_) continue;
       const Eigen::Vector3d normal = partner_vector.cross(segment.a - partner.a).normalized();
       const double d = (segment.b - partner.a).dot(normal);
       const double q = normal.dot(segment.ray_b);

@@ -34,12 +34,10 @@ class PlaneClustering {
  public:
   static constexpr int kUnlabelled = -1;
 
-  PlaneClustering(const PaperParameters& parameters, const SensorModel& sensor)
-      : parameters_(parameters), sensor_(sensor) {}
-  void configure(const PaperParameters& parameters, const SensorModel& sensor) {
-    parameters_ = parameters;
-    sensor_ = sensor;
+  PlaneClustering(const PaperParameters& parameters, const SensorModel& sensor) : sensor_(sensor) {
+    configure(parameters, sensor);
   }
+  void configure(const PaperParameters& parameters, const SensorModel& sensor);
 
   /// Forgets everything; `projection` is that of the lines to come.
   void begin(Projection projection);
@@ -65,7 +63,7 @@ class PlaneClustering {
   };
 
   Segment makeSegment(const ClusteredLine& line_segment) const;
-  double cost(const PlanePrototype& plane, const Segment& segment) const;
+  double cost(const PlanePrototype& plane, const Segment& segment, double limit) const;
   int bestPlane(const Segment& segment, std::size_t line) const;
   std::size_t startPartner(const Segment& segment, std::size_t line) const;
   void addToPlane(int plane, const Segment& segment);
@@ -73,6 +71,9 @@ class PlaneClustering {
 
   PaperParameters parameters_;
   SensorModel sensor_;
+  double with_sensor_ = 1.0;   // sigma_z^2 counts in Eq. 23
+  double with_segment_ = 1.0;  // sigma_seg^2 does
+  double smallest_cosine_ = 0.0;
   Projection projection_ = Projection::Perspective;
   std::vector<Segment> segments_;
   std::vector<int> labels_;

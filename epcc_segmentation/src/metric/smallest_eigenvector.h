@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Normal of a plane: the eigenvector of the smallest eigenvalue of a covariance of three dimensions, and of no other.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace epcc {
+
+/// Unit eigenvector of the smallest eigenvalue of a symmetric positive semidefinite 3x3 matrix.
+Eigen::Vector3d smallestEigenvector(const Eigen::Matrix3d& m);
+
+}  // namespace epcc
