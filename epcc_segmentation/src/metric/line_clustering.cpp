@@ -54,7 +54,7 @@ HWY_INLINE Samples readDepths(const ScanStrip& strip, const LineRule& rule, int 
   s.t1 = hn::Mul(z, s.ray1);
   s.t2 = hn::Mul(z, s.ray2);
   s.variance = varianceOf(d, rule.variance, z);
-  s.measured = isMeasured(s.t1, s.t2);
+  s.measured = hn::Gt(z, hn::Zero(d));
   return s;
 }
 
@@ -316,9 +316,11 @@ HWY_NOINLINE void findSegments(Lines& lines, int first_line, int row, std::uint6
 /// Two vectors of lines, from the first row to the last.
 template <bool kPoints>
 void clusterSides(Lines& lines, int first_line) {
-  const ScanStrip& strip = lines.strip;
-  const LineRule& rule = lines.rule;
+  const ScanStrip strip = lines.strip;  // copies, which no number that is stored can change
+  const LineRule rule = lines.rule;
   StripSegments& result = lines.result;
+  std::int32_t* const all_numbers = result.numbers + first_line;
+  const std::size_t number_stride = result.number_stride;
   const Float d;
   Prototypes p0, p1;
   reset(p0);
@@ -326,7 +328,7 @@ void clusterSides(Lines& lines, int first_line) {
   VF x0 = hn::Zero(d), z0 = x0, x1 = x0, z1 = x0;
   const int second_line = first_line + kLanes;
   for (int row = 0; row < strip.height; ++row) {
-    std::int32_t* numbers = result.numbers + static_cast<std::size_t>(row) * result.number_stride + first_line;
+    std::int32_t* numbers = all_numbers + static_cast<std::size_t>(row) * number_stride;
     const Samples s0 =
         kPoints ? readPoints(strip, rule, row, first_line, x0, z0) : readDepths(strip, rule, row, first_line);
     const Samples s1 =

@@ -15,7 +15,7 @@ namespace epcc {
 /// Scan lines of a strip: neighbouring columns of a view, clustered side by side.
 constexpr int kStripLines = 32;
 
-/// Numbers beyond which squares of metres leave single precision; such samples count as not measured.
+/// Beyond so many metres squares leave single precision. What has a larger coordinate counts as not measured.
 constexpr float kFarthest = 1e5f;
 
 /// What Algorithm 1 decides by.
@@ -36,7 +36,7 @@ struct LineRule {
 struct ScanStrip {
   int height = 0;
   std::size_t stride = 0;
-  const float* z = nullptr;  ///< depth, forward; of a depth image 0 where nothing is measured
+  const float* z = nullptr;  ///< forward; of a depth image 0 where nothing is measured, and within farthestDepth()
   /// Of a depth image: sqrt(1 + u^2) of every line and v of every row; else null.
   const float* secant = nullptr;
   const float* along = nullptr;
@@ -78,6 +78,11 @@ class LineWorkspace {
  private:
   std::vector<float> memory_;
 };
+
+/// Largest depth of an image at which no coordinate is beyond kFarthest; `slope` is its largest secant or v.
+inline float farthestDepth(float slope) {
+  return kFarthest / slope;
+}
 
 /// Clusters every line of the strip.
 void clusterLines(const ScanStrip& strip, const LineRule& rule, LineWorkspace& workspace, StripSegments& result);

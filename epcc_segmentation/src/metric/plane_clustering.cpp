@@ -101,6 +101,8 @@ PlaneClustering::Segment PlaneClustering::makeSegment(const ClusteredLine& line_
   segment.ray_b = segment.b / depth_b;
   segment.sensor_variance_a = sensor_.varianceZ(depth_a);
   segment.sensor_variance_b = sensor_.varianceZ(depth_b);
+  segment.low = std::min(segment.a.y(), segment.b.y());
+  segment.high = std::max(segment.a.y(), segment.b.y());
   segment.variance = line_segment.prototype.variance;
   segment.reach = parameters_.max_gap + sensor_.sigmaZ(0.5 * (depth_a + depth_b));
   return segment;
@@ -121,6 +123,12 @@ double PlaneClustering::cost(const PlanePrototype& plane, const Segment& segment
   return std::max(cost_a, endpoint_cost(segment.b, segment.ray_b, segment.sensor_variance_b));
 }
 
+// Segments that lie apart along the scan lines alone by more than Eq. 27 allows.
+bool PlaneClustering::isBeyondReach(const Segment& segment, const Segment& neighbour) {
+  const double gap = std::max(neighbour.low - segment.high, segment.low - neighbour.high);
+  return gap > kBeyond * segment.reach;
+}
+
 // Labelled segments of the nearest earlier scan line that has one that fits; the best cost wins.
 int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
   const double limit = parameters_.plane_k_max * parameters_.plane_k_max;
@@ -130,7 +138,7 @@ int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
     double best_cost = limit;
     int best = kUnlabelled;
     for (std::size_t j = previous.begin; j < previous.end; ++j) {
-      if (labels_[j] == kUnlabelled) continue;
+      if (labels_[j] == kUnlabelled || isBeyondReach(segment, segments_[j])) continue;
       const double c = cost(planes_[static_cast<std::size_t>(labels_[j])], segment, best_cost);
       if (c >= best_cost) continue;
       const Segment& neighbour = segments_[j];
@@ -153,7 +161,7 @@ std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t li
   for (std::size_t back = 1; back <= look_back; ++back) {
     const Line& previous = lines_[line - back];
     for (std::size_t j = previous.begin; j < previous.end; ++j) {
-      if (labels_[j] != kUnlabelled) continue;
+      if (labels_[j] != kUnlabelled || isBeyondReach(segment, segments_[j])) continue;
       const Segment& partner = segments_[j];
       const Eigen::Vector3d partner_vector = partner.b - partner.a;
       if (std::abs(direction.dot(partner_vector.normalized())) < smallest_cosine_) continue;

@@ -55,6 +55,7 @@ class PlaneClustering {
     Eigen::Vector3d a, b;
     Eigen::Vector3d ray_a, ray_b;                 // endpoint / measured depth
     double sensor_variance_a, sensor_variance_b;  // sigma_z^2 at the endpoints
+    double low, high;                             // along the scan line
     double variance;                              // sigma_seg^2
     double reach;                                 // d_1 + sigma_z, Eq. 27
   };
@@ -64,6 +65,7 @@ class PlaneClustering {
 
   Segment makeSegment(const ClusteredLine& line_segment) const;
   double cost(const PlanePrototype& plane, const Segment& segment, double limit) const;
+  static bool isBeyondReach(const Segment& segment, const Segment& neighbour);
   int bestPlane(const Segment& segment, std::size_t line) const;
   std::size_t startPartner(const Segment& segment, std::size_t line) const;
   void addToPlane(int plane, const Segment& segment);

@@ -12,8 +12,8 @@ namespace epcc {
 namespace {
 
 /// What is too far for single precision is not measured.
-void dropFarthest(float* depth, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) depth[i] = depth[i] <= kFarthest ? depth[i] : 0.0f;
+void dropFarthest(float* depth, std::size_t count, float farthest) {
+  for (std::size_t i = 0; i < count; ++i) depth[i] = depth[i] <= farthest ? depth[i] : 0.0f;
 }
 
 bool isNear(const Eigen::Vector3d& p) {
@@ -34,13 +34,16 @@ void ScanStrips::begin(const DepthFrame& view, int threads) {
   }
   along_.resize(static_cast<std::size_t>(height_));
   for (int r = 0; r < height_; ++r) along_[static_cast<std::size_t>(r)] = static_cast<float>(view.pinholeAlong(r));
+  float slope = std::max(std::abs(along_.front()), std::abs(along_.back()));
+  for (const float secant : secant_) slope = std::max(slope, secant);
+  farthest_ = farthestDepth(slope);
   if (view.isTransposed()) return;
   depth_.resize(static_cast<std::size_t>(height_) * padded_);
   parallelFor(height_, threads, [&](int, int begin, int end) {
     for (int r = begin; r < end; ++r) {
       float* row = depth_.data() + static_cast<std::size_t>(r) * padded_;
       view.depthRow(r, row);
-      dropFarthest(row, width);
+      dropFarthest(row, width, farthest_);
       std::fill(row + width, row + padded_, 0.0f);
     }
   });
@@ -74,7 +77,7 @@ ScanStrip ScanStrips::fromRows(const DepthFrame& view, int strip, std::vector<fl
   if (lines < kStripLines) std::fill(z, line, 0.0f);
   for (int i = 0; i < lines; ++i) {
     image.depthRow(first + i, line);
-    dropFarthest(line, height);
+    dropFarthest(line, height, farthest_);
     for (std::size_t r = 0; r < height; ++r) z[r * kStripLines + static_cast<std::size_t>(i)] = line[r];
   }
   ScanStrip result;

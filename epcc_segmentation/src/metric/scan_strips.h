@@ -34,6 +34,7 @@ class ScanStrips {
 
   int height_ = 0;
   std::size_t padded_ = 0;
+  float farthest_ = 0.0f;      // depth
   std::vector<float> depth_;   // of a depth image by columns, rows of padded_ pixels
   std::vector<float> secant_;  // sqrt(1 + u^2) of the columns
   std::vector<float> along_;   // v of the rows

@@ -134,9 +134,15 @@ inline float referenceVariance(const SensorVariance& v, float z) {
 /// The measured samples of a view's column as the kernel has them.
 inline std::vector<ReferenceSample<float>> referenceLine(const DepthFrame& view, const LineRule& rule, int column) {
   std::vector<ReferenceSample<float>> line;
+  float slope = 0.0f;
+  if (view.isPinhole())
+    for (int c = 0; c < view.width(); ++c)
+      slope = std::max(slope, static_cast<float>(std::sqrt(1.0 + view.pinholeAcross(c) * view.pinholeAcross(c))));
+  if (view.isPinhole())
+    for (int r = 0; r < view.height(); ++r) slope = std::max(slope, std::abs(static_cast<float>(view.pinholeAlong(r))));
   const auto add = [&](float t1, float t2, float ray1, float ray2, float depth, int row) {
-    if (t1 > 0.0f && std::max(t1, std::abs(t2)) <= kFarthest)
-      line.push_back({t1, t2, ray1, ray2, referenceVariance(rule.variance, depth), row});
+    const bool is_near = view.isPinhole() ? depth <= farthestDepth(slope) : std::max(t1, std::abs(t2)) <= kFarthest;
+    if (t1 > 0.0f && is_near) line.push_back({t1, t2, ray1, ray2, referenceVariance(rule.variance, depth), row});
   };
   Eigen::Vector3d p;
   for (int row = 0; row < view.height(); ++row) {
