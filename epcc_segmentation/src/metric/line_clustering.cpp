@@ -31,8 +31,8 @@ struct Samples {
   MF measured;
 };
 
-/// The active prototypes. n - 1 and the scatter in place of the covariance save a division a step: Eq. 13 times n - 1
-/// is S + (n - 1)/n (t - mu)(t - mu)^T, and Eq. 11 likewise.
+/// The active prototypes. The scatter, n - 1 times the covariance, saves operations: Eq. 13 times n - 1 is
+/// S + (n - 1)/n (t - mu)(t - mu)^T, and Eq. 11 likewise.
 struct Prototypes {
   VF n, mean1, mean2, s11, s22, s12, residuals;
   VF normal1, normal2, normal_squared;
@@ -106,35 +106,55 @@ HWY_INLINE void findNormals(Prototypes& p) {
   p.normal_squared = hn::Add(hn::Mul(p.normal1, p.normal1), hn::Mul(p.normal2, p.normal2));
 }
 
-/// Eq. 20 and, where it holds, the update by Eqs. 11 to 13. Returns the lanes that accept.
-HWY_INLINE MF acceptAndUpdate(const LineRule& rule, const Samples& s, Prototypes& p) {
+/// Eqs. 11 to 13: the prototypes with the sample, whose distance from them is distance / |P|.
+HWY_INLINE Prototypes updated(const Prototypes& p, VF dx, VF dy, VF squared_distance) {
   const Float d;
   const VF one = hn::Set(d, 1.0f);
+  Prototypes next = p;
+  next.n = hn::Add(p.n, one);
+  const VF share = hn::Div(one, next.n);
+  const VF grown = hn::Mul(p.n, share);
+  const VF grown_x = hn::Mul(dx, grown);
+  next.residuals = hn::Add(p.residuals, hn::Mul(hn::Div(squared_distance, p.normal_squared), grown));
+  next.mean1 = hn::Add(p.mean1, hn::Mul(dx, share));
+  next.mean2 = hn::Add(p.mean2, hn::Mul(dy, share));
+  next.s11 = hn::Add(p.s11, hn::Mul(grown_x, dx));
+  next.s12 = hn::Add(p.s12, hn::Mul(grown_x, dy));
+  next.s22 = hn::Add(p.s22, hn::Mul(hn::Mul(dy, grown), dy));
+  findNormals(next);
+  return next;
+}
+
+/// Takes the lanes of `next` that accept.
+HWY_INLINE void keepAccepted(MF accepted, const Prototypes& next, Prototypes& p) {
+  p.n = hn::IfThenElse(accepted, next.n, p.n);
+  p.mean1 = hn::IfThenElse(accepted, next.mean1, p.mean1);
+  p.mean2 = hn::IfThenElse(accepted, next.mean2, p.mean2);
+  p.s11 = hn::IfThenElse(accepted, next.s11, p.s11);
+  p.s22 = hn::IfThenElse(accepted, next.s22, p.s22);
+  p.s12 = hn::IfThenElse(accepted, next.s12, p.s12);
+  p.residuals = hn::IfThenElse(accepted, next.residuals, p.residuals);
+  p.normal1 = hn::IfThenElse(accepted, next.normal1, p.normal1);
+  p.normal2 = hn::IfThenElse(accepted, next.normal2, p.normal2);
+  p.normal_squared = hn::IfThenElse(accepted, next.normal_squared, p.normal_squared);
+}
+
+/// Eq. 20 and, where it holds, the update. The update is worked out for all lanes meanwhile, for its root and its
+/// divisions take longer than the decision. Returns the lanes that accept.
+HWY_INLINE MF acceptAndUpdate(const LineRule& rule, const Samples& s, Prototypes& p) {
+  const Float d;
   const VF dx = hn::Sub(s.t1, p.mean1);
   const VF dy = hn::Sub(s.t2, p.mean2);
   const VF distance = hn::Add(hn::Mul(p.normal1, dx), hn::Mul(p.normal2, dy));
   const VF projection = hn::Add(hn::Mul(p.normal1, s.ray1), hn::Mul(p.normal2, s.ray2));
   const VF squared = hn::Mul(distance, distance);
-  const VF before = hn::Sub(p.n, one);
+  const VF before = hn::Sub(p.n, hn::Set(d, 1.0f));
   const VF across =
       hn::Max(hn::Mul(projection, projection), hn::Mul(hn::Set(d, rule.projection_floor), p.normal_squared));
   const VF spread = hn::Add(hn::Mul(p.residuals, p.normal_squared), hn::Mul(before, hn::Mul(s.variance, across)));
   const MF accepted =
       hn::And(s.measured, hn::Le(hn::Mul(squared, before), hn::Mul(hn::Set(d, rule.k_max_squared), spread)));
-
-  const VF n = hn::Add(p.n, one);
-  const VF inverse = hn::Div(one, hn::Mul(n, p.normal_squared));
-  const VF share = hn::IfThenElseZero(accepted, hn::Mul(p.normal_squared, inverse));  // 1 / n
-  const VF grown = hn::Mul(p.n, share);                                               // (n - 1) / n
-  p.residuals = hn::Add(p.residuals, hn::IfThenElseZero(accepted, hn::Mul(hn::Mul(squared, inverse), p.n)));
-  p.mean1 = hn::Add(p.mean1, hn::Mul(dx, share));
-  p.mean2 = hn::Add(p.mean2, hn::Mul(dy, share));
-  const VF grown_x = hn::Mul(dx, grown);
-  p.s11 = hn::Add(p.s11, hn::Mul(grown_x, dx));
-  p.s12 = hn::Add(p.s12, hn::Mul(grown_x, dy));
-  p.s22 = hn::Add(p.s22, hn::Mul(hn::Mul(dy, grown), dy));
-  p.n = hn::IfThenElse(accepted, n, p.n);
-  findNormals(p);
+  keepAccepted(accepted, updated(p, dx, dy, squared), p);
   return accepted;
 }
 

@@ -45,12 +45,10 @@ struct ReferencePrototype {
     const T share = T(1) / (n + 1);
     take(s, share, n * share);
   }
-  void update(const ReferenceSample<T>& s) {  // and Eq. 11, with the kernel's one division
+  void update(const ReferenceSample<T>& s) {  // and Eq. 11
     const T d = distance(s);
-    const T inverse = T(1) / ((n + 1) * normalSquared());
-    residuals += d * d * inverse * n;
-    const T share = normalSquared() * inverse;
-    take(s, share, n * share);
+    residuals += d * d / normalSquared() * (n * (T(1) / (n + 1)));
+    add(s);
     findNormal();
   }
   void finishFit() {
