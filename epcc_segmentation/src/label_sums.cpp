@@ -201,13 +201,18 @@ HWY_INLINE Block blockOf(const std::int32_t* labels, std::int32_t label) {
 
 /// The labels of a block but 0 and `done`, each once; returns how many.
 HWY_INLINE int labelsIn(const std::int32_t* labels, std::int32_t done, std::int32_t (&found)[kSumLanes]) {
+  const hn::CappedTag<std::int32_t, kSumLanes> d;
+  constexpr std::size_t kStep = hn::MaxLanes(d);
   int count = 0;
-  for (int i = 0; i < kSumLanes; ++i) {
-    const std::int32_t label = labels[i];
-    if (label == 0 || label == done || (count > 0 && label == found[count - 1])) continue;
-    bool is_new = true;
-    for (int k = 0; k < count; ++k) is_new = is_new && found[k] != label;
-    if (is_new) found[count++] = label;
+  for (std::size_t i = 0; i < kSumLanes; i += kStep) {
+    const auto l = hn::LoadU(d, labels + i);
+    auto other = hn::Not(hn::Or(hn::Eq(l, hn::Zero(d)), hn::Eq(l, hn::Set(d, done))));
+    for (int k = 0; k < count; ++k) other = hn::AndNot(hn::Eq(l, hn::Set(d, found[k])), other);
+    while (!hn::AllFalse(d, other)) {
+      found[count] = labels[i + static_cast<std::size_t>(hn::FindFirstTrue(d, other))];
+      other = hn::AndNot(hn::Eq(l, hn::Set(d, found[count])), other);
+      ++count;
+    }
   }
   return count;
 }

@@ -112,9 +112,10 @@ int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& re
   StopWatch watch;
   pipeline.clusterLines(view);  // Algorithm 1
   times_.lines = watch.lap();
-  pipeline.clusterPlanes(view);  // Algorithm 2
+  pipeline.clusterPlanes();  // Algorithm 2
   times_.planes = watch.lap();
   const int count = pipeline.labelPixels(view, result.labels);
+  workspace_->fitter.lendDepth(pipeline.depth(), pipeline.numberStride());
   times_.result = watch.lap();
   return count;
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "label_table.h"
 #include "metric/recursive_statistics.h"
@@ -159,8 +160,13 @@ void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& varianc
       row.labels = band.labels.data();
     }
     if (image.isPinhole()) {
-      image.depthRow(r, z);
-      if (!is_whole) thinOut(z, image.width(), samples, z);
+      const float* depth = z;
+      if (depth_ != nullptr)
+        depth = depth_ + static_cast<std::size_t>(r) * depth_stride_;
+      else
+        image.depthRow(r, z);
+      if (!is_whole) thinOut(depth, image.width(), samples, z);
+      row.z = is_whole ? depth : z;
       row.along = image.pinholeAlong(r);
     } else {
       readPoints(image, r, samples, x, y, z);
@@ -221,10 +227,12 @@ void PlaneFitter::fillSparsePlanes(const DepthFrame& image, const SensorVariance
 bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int plane_count, const FitSamples& samples,
                       int threads, PlaneSegmentation& segmentation) {
   segmentation.planes.clear();
+  const float* const lent_depth = std::exchange(depth_, nullptr);
   const auto size = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
   if (plane_count < 0 || segmentation.labels.size() != size) return false;
   const DepthFrame image = frame.isTransposed() ? frame.transposed() : frame;
   const SensorVariance variance(sensor);
+  depth_ = lent_depth;
   const auto count = static_cast<std::size_t>(plane_count);
   plane_count_ = plane_count;
   pixels_.assign(count, 0);
@@ -248,6 +256,7 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
   }
   listPlanes(sensor, samples, segmentation.planes);
   renumber(threads, segmentation.labels);
+  depth_ = nullptr;
   return true;
 }
 

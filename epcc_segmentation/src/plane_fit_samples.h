@@ -25,6 +25,11 @@ class PlaneFitter {
   /// its pixels; every labelled pixel counts in pixel_count, where without a stride those that are not measured do not.
   bool fit(const DepthFrame& frame, const SensorModel& sensor, int plane_count, const FitSamples& samples, int threads,
            PlaneSegmentation& segmentation);
+  /// For the next fit: the depths of all labelled pixels of the image, which has been read before, in rows of `stride`.
+  void lendDepth(const float* depth, std::size_t stride) {
+    depth_ = depth;
+    depth_stride_ = stride;
+  }
 
  private:
   /// Memory of one of the bands of rows that are summed on their own, then joined in order.
@@ -49,6 +54,8 @@ class PlaneFitter {
   void renumber(int threads, std::vector<std::int32_t>& labels) const;
 
   std::int32_t plane_count_ = 0;
+  const float* depth_ = nullptr;
+  std::size_t depth_stride_ = 0;
   std::vector<double> across_;  // u of the image's columns
   std::vector<Band> bands_;
   std::vector<char> only_;       // by label

@@ -196,22 +196,28 @@ HWY_INLINE void store(const Prototypes& p, StoredPrototypes& m) {
   hn::Store(p.waiting, di, m.integers[2]);
 }
 
-HWY_INLINE void load(const StoredPrototypes& m, Prototypes& p) {
+/// A lane of the prototypes becomes another one; a load of what was just stored in part would have to wait.
+HWY_INLINE void setLane(const LinePrototypeLane& lane_prototype, std::int32_t number, std::int32_t last, int lane,
+                        Prototypes& p) {
   const Float d;
   const Int di;
-  p.n = hn::Load(d, m.fields[0]);
-  p.mean1 = hn::Load(d, m.fields[1]);
-  p.mean2 = hn::Load(d, m.fields[2]);
-  p.s11 = hn::Load(d, m.fields[3]);
-  p.s22 = hn::Load(d, m.fields[4]);
-  p.s12 = hn::Load(d, m.fields[5]);
-  p.residuals = hn::Load(d, m.fields[6]);
-  p.normal1 = hn::Load(d, m.fields[7]);
-  p.normal2 = hn::Load(d, m.fields[8]);
-  p.normal_squared = hn::Load(d, m.fields[9]);
-  p.number = hn::Load(di, m.integers[0]);
-  p.last = hn::Load(di, m.integers[1]);
-  p.waiting = hn::Load(di, m.integers[2]);
+  const auto is_lane = hn::Eq(hn::Iota(di, 0), hn::Set(di, lane));
+  const MF is_lane_float = hn::RebindMask(d, is_lane);
+  const auto set = [&](VF& field, float value)
+                       HWY_ATTR { field = hn::IfThenElse(is_lane_float, hn::Set(d, value), field); };
+  set(p.n, lane_prototype.n);
+  set(p.mean1, lane_prototype.mean1);
+  set(p.mean2, lane_prototype.mean2);
+  set(p.s11, lane_prototype.s11);
+  set(p.s22, lane_prototype.s22);
+  set(p.s12, lane_prototype.s12);
+  set(p.residuals, lane_prototype.residuals);
+  set(p.normal1, lane_prototype.normal1);
+  set(p.normal2, lane_prototype.normal2);
+  set(p.normal_squared, lane_prototype.normal_squared);
+  p.number = hn::IfThenElse(is_lane, hn::Set(di, number), p.number);
+  p.last = hn::IfThenElse(is_lane, hn::Set(di, last), p.last);
+  p.waiting = hn::IfThenZeroElse(is_lane, p.waiting);
 }
 
 /// One lane of the stored prototypes.
@@ -228,19 +234,6 @@ HWY_INLINE LinePrototypeLane laneOf(const StoredPrototypes& m, int lane) {
   p.normal2 = m.fields[8][lane];
   p.normal_squared = m.fields[9][lane];
   return p;
-}
-
-HWY_INLINE void setLane(const LinePrototypeLane& p, int lane, StoredPrototypes& m) {
-  m.fields[0][lane] = p.n;
-  m.fields[1][lane] = p.mean1;
-  m.fields[2][lane] = p.mean2;
-  m.fields[3][lane] = p.s11;
-  m.fields[4][lane] = p.s22;
-  m.fields[5][lane] = p.s12;
-  m.fields[6][lane] = p.residuals;
-  m.fields[7][lane] = p.normal1;
-  m.fields[8][lane] = p.normal2;
-  m.fields[9][lane] = p.normal_squared;
 }
 
 /// Buffers and first samples of the lines, and what leaves them.
@@ -285,15 +278,17 @@ HWY_INLINE std::uint64_t bitsOf(D d, hn::Mask<D> mask) {
 }
 
 /// The old segment goes out before the new one takes its samples from the buffer.
-void startSegment(Lines& lines, int line, int lane, int start, StoredPrototypes& stored) {
+HWY_INLINE void startSegment(Lines& lines, int line, int lane, int start, const StoredPrototypes& stored,
+                             Prototypes& prototypes) {
   if (stored.integers[0][lane] != 0) emitSegment(lines, line, laneOf(stored, lane), stored.integers[1][lane]);
   const SampleBuffer& buffer = lines.buffers[line];
   StripSegments& result = lines.result;
-  const std::int32_t number = result.first_number + line * result.capacity + result.count[line];
+  const std::int32_t number = result.first_number + result.count[line] * result.number_step + line;
+  std::int32_t last = 0;
   const auto take = [&](int i) HWY_ATTR {
     const int row = buffer.counts[SampleBuffer::kRow][i];
     result.numbers[static_cast<std::size_t>(row) * result.number_stride + line] = number;
-    stored.integers[1][lane] = row;
+    last = row;
   };
   const int fit_end = start + lines.rule.fit_samples;
   LinePrototypeLane p = buffer.candidate(start, lines.rule);
@@ -311,26 +306,23 @@ void startSegment(Lines& lines, int line, int lane, int start, StoredPrototypes&
   }
   finishFit(p);
   lines.first[line] = buffer.counts[SampleBuffer::kRow][start];
-  setLane(p, lane, stored);
-  stored.integers[0][lane] = number;
-  stored.integers[2][lane] = 0;
+  setLane(p, number, last, lane, prototypes);
 }
 
 /// Looks for new segments in the lanes of a mask.
 HWY_NOINLINE void findSegments(Lines& lines, int first_line, int row, std::uint64_t lanes, Prototypes& p) {
   StoredPrototypes stored;
   hn::Store(p.waiting, Int(), stored.integers[2]);
-  bool changed = false;
+  bool is_stored = false;
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes));
     const int line = first_line + lane;
     const int start = pushSample(lines.strip, lines.rule, row, line, stored.integers[2][lane], lines.buffers[line]);
     if (start < 0) continue;
-    if (!changed) store(p, stored);
-    changed = true;
-    startSegment(lines, line, lane, start, stored);
+    if (!is_stored) store(p, stored);
+    is_stored = true;
+    startSegment(lines, line, lane, start, stored, p);
   }
-  if (changed) load(stored, p);
 }
 
 /// Two vectors of lines, from the first row to the last.

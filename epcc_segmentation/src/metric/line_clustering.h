@@ -55,13 +55,15 @@ struct LineRecord {
   float first_sample[2], last_sample[2];            // (t1, t2)
 };
 
-/// What is found in a strip. The k-th segment of a line has the number first_number + line * capacity + k, k from 0.
+/// What is found in a strip. The k-th segment of a line has the number first_number + k * number_step + line, k from 0:
+/// then those of neighbouring lines lie side by side in tables.
 struct StripSegments {
   int capacity = 0;               ///< of a line, at least height / k_min
   LineRecord* records = nullptr;  ///< capacity for each of the kStripLines lines
   int count[kStripLines] = {};
   float direction[kStripLines][2] = {};  ///< of a cloud: sum of the unit vectors (x, z) of t1
   std::int32_t first_number = 1;
+  std::int32_t number_step = kStripLines;
   std::int32_t* numbers = nullptr;  ///< of each sample its segment's number, 0 none; rows of kStripLines lines
   std::size_t number_stride = 0;
 };

@@ -3,12 +3,13 @@
 #include "metric/metric_pipeline.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
+#include "epcc_segmentation/on_threads.h"
 #include "metric/pixel_labels.h"
 #include "metric/scan_line.h"
 #include "metric/segment_record.h"
-#include "parallel_for.h"
 
 namespace epcc {
 
@@ -49,13 +50,23 @@ void MetricPipeline::configure(const Parameters& parameters, const SensorModel& 
 }
 
 void MetricPipeline::clusterLines(const DepthFrame& view) {
-  strips_.begin(view, parameters_.threads);
+  strips_.begin(view);
   capacity_ = view.height() / rule_.minSamples() + 1;
   line_segments_.resize(static_cast<std::size_t>(view.width()));
   numbers_.resize(static_cast<std::size_t>(view.height()) * strips_.paddedWidth());
-  memory_.resize(static_cast<std::size_t>(parameters_.threads));
-  parallelFor(strips_.count(), parameters_.threads, [&](int thread, int begin, int end) {
-    for (int strip = begin; strip < end; ++strip) clusterStrip(view, strip, memory_[static_cast<std::size_t>(thread)]);
+  const int threads = std::min(parameters_.threads, strips_.count());
+  memory_.resize(static_cast<std::size_t>(threads));
+  plane_clustering_.begin(view.projection());
+  order_of_strips_.begin(strips_.count());
+  std::atomic<int> next_thread{0};
+  std::atomic<int> next_strip{0};
+  onThreads(threads, [&] {
+    StripMemory& memory = memory_[static_cast<std::size_t>(next_thread++)];
+    for (int strip = next_strip++; strip < strips_.count(); strip = next_strip++) {
+      clusterStrip(view, strip, memory);
+      // Algorithm 2 waits for nobody: it takes what is finished while the other threads are at later strips.
+      if (threads > 1) order_of_strips_.finish(strip, [&](int finished) { clusterPlanesOf(finished); });
+    }
   });
 }
 
@@ -66,6 +77,7 @@ void MetricPipeline::clusterStrip(const DepthFrame& view, int strip, StripMemory
   found.capacity = capacity_;
   found.records = memory.records.data();
   found.first_number = numberOf(first, 0);
+  found.number_step = static_cast<std::int32_t>(numberStride());
   found.numbers = numbers_.data() + first;
   found.number_stride = strips_.paddedWidth();
   epcc::clusterLines(strips_.strip(view, strip, memory.samples), rule_, memory.workspace, found);
@@ -79,10 +91,15 @@ void MetricPipeline::clusterStrip(const DepthFrame& view, int strip, StripMemory
   }
 }
 
-void MetricPipeline::clusterPlanes(const DepthFrame& view) {
-  plane_clustering_.begin(view.projection());
-  for (const auto& segments : line_segments_) plane_clustering_.addLine(segments);
+void MetricPipeline::clusterPlanes() {
+  for (int strip = order_of_strips_.taken(); strip < strips_.count(); ++strip) clusterPlanesOf(strip);
   plane_clustering_.finish();
+}
+
+void MetricPipeline::clusterPlanesOf(int strip) {
+  const auto begin = static_cast<std::size_t>(strip) * kStripLines;
+  const std::size_t end = std::min(begin + kStripLines, line_segments_.size());
+  for (std::size_t column = begin; column < end; ++column) plane_clustering_.addLine(line_segments_[column]);
 }
 
 int MetricPipeline::labelPixels(const DepthFrame& view, std::vector<std::int32_t>& labels) {

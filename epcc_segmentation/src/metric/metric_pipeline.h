@@ -11,6 +11,7 @@
 #include "epcc_segmentation/sensor_model.h"
 #include "metric/clustered_line.h"
 #include "metric/line_clustering.h"
+#include "metric/ordered_turns.h"
 #include "metric/plane_clustering.h"
 #include "metric/scan_strips.h"
 
@@ -23,8 +24,10 @@ class MetricPipeline {
   /// For the frames to come; the memory is kept.
   void configure(const Parameters& parameters, const SensorModel& sensor);
 
-  void clusterLines(const DepthFrame& view);   ///< Algorithm 1
-  void clusterPlanes(const DepthFrame& view);  ///< Algorithm 2
+  /// Algorithm 1; with several threads also Algorithm 2, as far as it comes meanwhile.
+  void clusterLines(const DepthFrame& view);
+  /// Algorithm 2, what is left of it.
+  void clusterPlanes();
   /// A pixel takes its segment's plane, planes numbered by size, largest first; those with too few pixels are dropped.
   /// Returns the number of planes.
   int labelPixels(const DepthFrame& view, std::vector<std::int32_t>& labels);
@@ -37,9 +40,11 @@ class MetricPipeline {
   const std::vector<std::vector<ClusteredLine>>& lineSegments() const { return line_segments_; }
   const std::vector<std::int32_t>& numbers() const { return numbers_; }
   std::size_t numberStride() const { return strips_.paddedWidth(); }
+  /// The depths that were clustered, rows of numberStride(); null where the columns are not those of a depth image.
+  const float* depth() const { return strips_.depth(); }
   /// Number of the segment `index` of a scan line.
   std::int32_t numberOf(int column, std::size_t index) const {
-    return 1 + column * capacity_ + static_cast<std::int32_t>(index);
+    return 1 + static_cast<std::int32_t>(index * numberStride()) + column;
   }
 
  private:
@@ -50,6 +55,7 @@ class MetricPipeline {
     LineWorkspace workspace;
   };
   void clusterStrip(const DepthFrame& view, int strip, StripMemory& memory);
+  void clusterPlanesOf(int strip);
   int numberPlanes();
   template <typename Visit>
   void forEachSegment(const Visit& visit) const;
@@ -59,7 +65,8 @@ class MetricPipeline {
   LineRule rule_;
   ScanStrips strips_;
   std::vector<StripMemory> memory_;  // one a thread
-  int capacity_ = 0;                 // segments a scan line can have
+  OrderedTurns order_of_strips_;
+  int capacity_ = 0;  // segments a scan line can have
   std::vector<std::vector<ClusteredLine>> line_segments_;
   std::vector<std::int32_t> numbers_;
   PlaneClustering plane_clustering_;

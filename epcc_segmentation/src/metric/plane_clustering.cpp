@@ -3,6 +3,7 @@
 #include "metric/plane_clustering.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -64,6 +65,7 @@ void PlaneClustering::begin(Projection projection) {
   labels_.clear();
   lines_.clear();
   planes_.clear();
+  last_refused_.clear();
 }
 
 void PlaneClustering::addLine(const std::vector<ClusteredLine>& line_segments) {
@@ -71,6 +73,7 @@ void PlaneClustering::addLine(const std::vector<ClusteredLine>& line_segments) {
   lines_.push_back({segments_.size(), segments_.size() + line_segments.size()});
   for (const auto& line_segment : line_segments) segments_.push_back(makeSegment(line_segment));
   labels_.resize(segments_.size(), kUnlabelled);
+  std::fill(last_refused_.begin(), last_refused_.end(), nullptr);  // the segments may have moved
 
   for (std::size_t i = lines_[line].begin; i < lines_[line].end; ++i) {
     const int plane = bestPlane(segments_[i], line);
@@ -130,7 +133,7 @@ bool PlaneClustering::isBeyondReach(const Segment& segment, const Segment& neigh
 }
 
 // Labelled segments of the nearest earlier scan line that has one that fits; the best cost wins.
-int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
+int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) {
   const double limit = parameters_.plane_k_max * parameters_.plane_k_max;
   const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.expert.planes.look_back));
   for (std::size_t back = 1; back <= look_back; ++back) {
@@ -139,7 +142,10 @@ int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
     int best = kUnlabelled;
     for (std::size_t j = previous.begin; j < previous.end; ++j) {
       if (labels_[j] == kUnlabelled || isBeyondReach(segment, segments_[j])) continue;
-      const double c = cost(planes_[static_cast<std::size_t>(labels_[j])], segment, best_cost);
+      const auto plane = static_cast<std::size_t>(labels_[j]);
+      if (last_refused_[plane] == &segment) continue;  // by another of its segments
+      const double c = cost(planes_[plane], segment, best_cost);
+      if (c >= limit) last_refused_[plane] = &segment;
       if (c >= best_cost) continue;
       const Segment& neighbour = segments_[j];
       if (squaredSegmentDistance(segment.a, segment.b, neighbour.a, neighbour.b) > segment.reach * segment.reach)
@@ -197,6 +203,7 @@ void PlaneClustering::startPlane(std::size_t first, std::size_t second) {
   prototype.refit();
   prototype.segments = 2;
   planes_.push_back(prototype);
+  last_refused_.push_back(nullptr);
 }
 
 }  // namespace epcc

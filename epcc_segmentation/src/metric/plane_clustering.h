@@ -66,7 +66,7 @@ class PlaneClustering {
   Segment makeSegment(const ClusteredLine& line_segment) const;
   double cost(const PlanePrototype& plane, const Segment& segment, double limit) const;
   static bool isBeyondReach(const Segment& segment, const Segment& neighbour);
-  int bestPlane(const Segment& segment, std::size_t line) const;
+  int bestPlane(const Segment& segment, std::size_t line);
   std::size_t startPartner(const Segment& segment, std::size_t line) const;
   void addToPlane(int plane, const Segment& segment);
   void startPlane(std::size_t first, std::size_t second);
@@ -81,6 +81,7 @@ class PlaneClustering {
   std::vector<int> labels_;
   std::vector<Line> lines_;
   std::vector<PlanePrototype> planes_;
+  std::vector<const Segment*> last_refused_;  // of each plane, by Eq. 23
 };
 
 }  // namespace epcc

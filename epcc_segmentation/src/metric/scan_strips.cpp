@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parallel_for.h"
-
 namespace epcc {
 
 namespace {
@@ -22,10 +20,11 @@ bool isNear(const Eigen::Vector3d& p) {
 
 }  // namespace
 
-void ScanStrips::begin(const DepthFrame& view, int threads) {
+void ScanStrips::begin(const DepthFrame& view) {
   const auto width = static_cast<std::size_t>(view.width());
   height_ = view.height();
   padded_ = (width + kStripLines - 1) / kStripLines * kStripLines;
+  has_depth_ = view.isPinhole() && !view.isTransposed();
   if (!view.isPinhole()) return;
   secant_.assign(padded_, 1.0f);
   for (std::size_t c = 0; c < width; ++c) {
@@ -37,16 +36,14 @@ void ScanStrips::begin(const DepthFrame& view, int threads) {
   float slope = std::max(std::abs(along_.front()), std::abs(along_.back()));
   for (const float secant : secant_) slope = std::max(slope, secant);
   farthest_ = farthestDepth(slope);
-  if (view.isTransposed()) return;
+  if (!has_depth_) return;
   depth_.resize(static_cast<std::size_t>(height_) * padded_);
-  parallelFor(height_, threads, [&](int, int begin, int end) {
-    for (int r = begin; r < end; ++r) {
-      float* row = depth_.data() + static_cast<std::size_t>(r) * padded_;
-      view.depthRow(r, row);
-      dropFarthest(row, width, farthest_);
-      std::fill(row + width, row + padded_, 0.0f);
-    }
-  });
+  for (int r = 0; r < height_; ++r) {  // a tenth of a millisecond: threads would not pay
+    float* row = depth_.data() + static_cast<std::size_t>(r) * padded_;
+    view.depthRow(r, row);
+    dropFarthest(row, width, farthest_);
+    std::fill(row + width, row + padded_, 0.0f);
+  }
 }
 
 ScanStrip ScanStrips::strip(const DepthFrame& view, int strip, std::vector<float>& memory) const {

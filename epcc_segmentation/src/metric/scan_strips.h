@@ -15,10 +15,13 @@ namespace epcc {
 class ScanStrips {
  public:
   /// The view's columns are the scan lines. A depth image is read here, a cloud strip by strip.
-  void begin(const DepthFrame& view, int threads);
+  void begin(const DepthFrame& view);
   int count() const { return static_cast<int>(padded_ / kStripLines); }
   /// Width in pixels, up to whole strips.
   std::size_t paddedWidth() const { return padded_; }
+
+  /// Rows of paddedWidth() depths, 0 where nothing is measured; null unless the view is that of a depth image.
+  const float* depth() const { return has_depth_ ? depth_.data() : nullptr; }
 
   /// Strip of the lines from kStripLines * strip on. `memory` holds what is read here, until the next call with it.
   ScanStrip strip(const DepthFrame& view, int strip, std::vector<float>& memory) const;
@@ -33,6 +36,7 @@ class ScanStrips {
   ScanStrip fromPoints(const DepthFrame& view, int strip, std::vector<float>& memory) const;
 
   int height_ = 0;
+  bool has_depth_ = false;
   std::size_t padded_ = 0;
   float farthest_ = 0.0f;      // depth
   std::vector<float> depth_;   // of a depth image by columns, rows of padded_ pixels

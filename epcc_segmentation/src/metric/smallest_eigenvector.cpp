@@ -11,11 +11,11 @@ namespace {
 
 constexpr int kMaxIterations = 30;
 constexpr double kConverged = 1e-15;    // of the largest eigenvalue
-constexpr double kIndependent = 1e-18;  // squared sine between two rows, times the largest eigenvalue squared
+constexpr double kIndependent = 1e-14;  // squared area of two rows, in the trace to the fourth
 
 Eigen::Vector3d byFullDecomposition(const Eigen::Matrix3d& m) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(m);
+  solver.compute(m);
   return solver.eigenvectors().col(0);
 }
 

@@ -76,7 +76,7 @@ Segments cluster(const Profile& depth, const SensorModel& sensor, const PaperPar
     const std::int32_t number = numbers[static_cast<std::size_t>(row * epcc::kStripLines + kLine)];
     if (number == 0) continue;
     result.members.push_back(row);
-    result.places.push_back(number - found.first_number - kLine * kCapacity);
+    result.places.push_back((number - found.first_number - kLine) / epcc::kStripLines);
   }
   return result;
 }
