@@ -14,8 +14,22 @@ void dropFarthest(float* depth, std::size_t count, float farthest) {
   for (std::size_t i = 0; i < count; ++i) depth[i] = depth[i] <= farthest ? depth[i] : 0.0f;
 }
 
-bool isNear(const Eigen::Vector3d& p) {
-  return p.cwiseAbs().maxCoeff() <= static_cast<double>(kFarthest);
+/// Points of a row in the scan frame, zeros where nothing is measured or too far.
+void readPoints(const DepthFrame& view, int row, int first, int count, float* x, float* y, float* z) {
+  Eigen::Vector3d p;
+  for (int i = 0; i < count; ++i) {
+    if (!view.scanPoint(row, first + i, p)) p.setZero();
+    x[i] = static_cast<float>(p.x());
+    y[i] = static_cast<float>(p.y());
+    z[i] = static_cast<float>(p.z());
+  }
+  for (int i = 0; i < count; ++i) {
+    const float largest = std::max(std::abs(x[i]), std::max(std::abs(y[i]), std::abs(z[i])));
+    const bool is_near = largest <= kFarthest;
+    x[i] = is_near ? x[i] : 0.0f;
+    y[i] = is_near ? y[i] : 0.0f;
+    z[i] = is_near ? z[i] : 0.0f;
+  }
 }
 
 }  // namespace
@@ -90,19 +104,15 @@ ScanStrip ScanStrips::fromPoints(const DepthFrame& view, int strip, std::vector<
   const std::size_t size = static_cast<std::size_t>(height_) * kStripLines;
   const int first = strip * kStripLines;
   const int lines = std::min(kStripLines, view.width() - first);
-  memory.assign(3 * size, 0.0f);
+  memory.resize(3 * size);
   float* x = memory.data();
   float* y = x + size;
   float* z = y + size;
-  Eigen::Vector3d p;
-  for (int r = 0; r < height_; ++r)
-    for (int i = 0; i < lines; ++i) {
-      if (!view.scanPoint(r, first + i, p) || !isNear(p)) continue;
-      const std::size_t at = static_cast<std::size_t>(r) * kStripLines + static_cast<std::size_t>(i);
-      x[at] = static_cast<float>(p.x());
-      y[at] = static_cast<float>(p.y());
-      z[at] = static_cast<float>(p.z());
-    }
+  if (lines < kStripLines) std::fill(memory.begin(), memory.end(), 0.0f);
+  for (int r = 0; r < height_; ++r) {
+    const std::size_t at = static_cast<std::size_t>(r) * kStripLines;
+    readPoints(view, r, first, lines, x + at, y + at, z + at);
+  }
   ScanStrip result;
   result.height = height_;
   result.stride = kStripLines;
