@@ -6,10 +6,10 @@
 #include <atomic>
 #include <numeric>
 
-#include "epcc_segmentation/on_threads.h"
 #include "metric/pixel_labels.h"
 #include "metric/scan_line.h"
 #include "metric/segment_record.h"
+#include "worker_pool.h"
 
 namespace epcc {
 
@@ -60,7 +60,7 @@ void MetricPipeline::clusterLines(const DepthFrame& view) {
   order_of_strips_.begin(strips_.count());
   std::atomic<int> next_thread{0};
   std::atomic<int> next_strip{0};
-  onThreads(threads, [&] {
+  onWorkers(threads, [&] {
     StripMemory& memory = memory_[static_cast<std::size_t>(next_thread++)];
     for (int strip = next_strip++; strip < strips_.count(); strip = next_strip++) {
       clusterStrip(view, strip, memory);
