@@ -45,8 +45,12 @@ void PlanePrototype::add(const Eigen::Vector3d& endpoint, EndpointWeight form) {
 }
 
 void PlanePrototype::refit() {
-  normal = smallestEigenvector(statistics.covariance);
+  // Eq. 25 shrinks the covariance by (k - 2)/(k - 1) and adds what has no negative eigenvalue; a little less, for the
+  // variance was rounded.
+  const double shrunk = (fitted - 1.0) / (statistics.n - 1.0);
+  normal = smallestEigenvector(statistics.covariance, fitted > 1 ? 0.999 * shrunk * variance : 0.0);
   variance = varianceAlong(statistics.covariance, normal);
+  fitted = statistics.n;
 }
 
 void PlaneClustering::configure(const PaperParameters& parameters, const SensorModel& sensor) {

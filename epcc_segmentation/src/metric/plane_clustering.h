@@ -19,6 +19,7 @@ struct PlanePrototype {
   double variance = 0.0;       ///< sigma_j^2 = smallest eigenvalue of Sigma_j
   double mean_distance = 0.0;  ///< mu_jd of Eq. 26, running mean of the endpoints' distances
   int distances = 0;
+  int fitted = 0;  ///< samples at the last refit()
   int segments = 0;
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
 

@@ -21,11 +21,11 @@ Eigen::Vector3d byFullDecomposition(const Eigen::Matrix3d& m) {
 
 }  // namespace
 
-Eigen::Vector3d smallestEigenvector(const Eigen::Matrix3d& m) {
+Eigen::Vector3d smallestEigenvector(const Eigen::Matrix3d& m, double bound) {
   const double a = m(0, 0), b = m(1, 1), c = m(2, 2);
   const double d = m(0, 1), e = m(0, 2), f = m(1, 2);
   // x^3 - trace x^2 + minors x - determinant: it rises and is concave below its smallest root, so that Newton's steps
-  // from 0 never pass it.
+  // from the bound never pass it.
   const double trace = a + b + c;
   if (!(trace > 0.0)) return byFullDecomposition(m);
   const double minor_a = b * c - f * f;
@@ -33,7 +33,7 @@ Eigen::Vector3d smallestEigenvector(const Eigen::Matrix3d& m) {
   const double minor_c = a * b - d * d;
   const double minors = minor_a + minor_b + minor_c;
   const double determinant = a * minor_a - d * (d * c - f * e) + e * (d * f - b * e);
-  double x = 0.0;
+  double x = bound;
   for (int i = 0; i < kMaxIterations; ++i) {
     const double value = ((x - trace) * x + minors) * x - determinant;
     const double slope = (3.0 * x - 2.0 * trace) * x + minors;

@@ -6,7 +6,8 @@
 
 namespace epcc {
 
-/// Unit eigenvector of the smallest eigenvalue of a symmetric positive semidefinite 3x3 matrix.
-Eigen::Vector3d smallestEigenvector(const Eigen::Matrix3d& m);
+/// Unit eigenvector of the smallest eigenvalue of a symmetric positive semidefinite 3x3 matrix. `bound`: what that
+/// eigenvalue is not below, the nearer the faster.
+Eigen::Vector3d smallestEigenvector(const Eigen::Matrix3d& m, double bound = 0.0);
 
 }  // namespace epcc

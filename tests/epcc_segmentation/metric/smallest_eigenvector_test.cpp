@@ -34,6 +34,8 @@ TEST(SmallestEigenvectorOfThree, AgreesWithAnEigensolver) {
           // Of two that are alike and tiny beside the third it may be any mixture.
           const double mixture = middle <= 1e-6 ? 2e-3 * values(2) : 0.0;
           ASSERT_NEAR(smallestVariance(symmetric), solver.eigenvalues()(0), 1e-14 * scale + mixture) << middle;
+          const Eigen::Vector3d bounded = epcc::smallestEigenvector(symmetric, 0.99 * solver.eigenvalues()(0));
+          ASSERT_NEAR(bounded.dot(symmetric * bounded), solver.eigenvalues()(0), 1e-14 * scale + mixture) << middle;
           if (smallest > 0.2 || middle < 1e-4) continue;
           ASSERT_NEAR(std::abs(epcc::smallestEigenvector(symmetric).dot(solver.eigenvectors().col(0))), 1.0, 1e-9);
         }
