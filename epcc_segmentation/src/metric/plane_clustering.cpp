@@ -136,6 +136,13 @@ bool PlaneClustering::isBeyondReach(const Segment& segment, const Segment& neigh
   return gap > kBeyond * segment.reach;
 }
 
+// Eq. 27. Segments of neighbouring lines mostly begin or end side by side, which says enough.
+bool PlaneClustering::isWithinReach(const Segment& segment, const Segment& neighbour) {
+  const double limit = segment.reach * segment.reach;
+  const double at_ends = std::min((segment.a - neighbour.a).squaredNorm(), (segment.b - neighbour.b).squaredNorm());
+  return kBeyond * at_ends <= limit || squaredSegmentDistance(segment.a, segment.b, neighbour.a, neighbour.b) <= limit;
+}
+
 // Labelled segments of the nearest earlier scan line that has one that fits; the best cost wins.
 int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) {
   const double limit = parameters_.plane_k_max * parameters_.plane_k_max;
@@ -151,9 +158,7 @@ int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) {
       const double c = cost(planes_[plane], segment, best_cost);
       if (c >= limit) last_refused_[plane] = &segment;
       if (c >= best_cost) continue;
-      const Segment& neighbour = segments_[j];
-      if (squaredSegmentDistance(segment.a, segment.b, neighbour.a, neighbour.b) > segment.reach * segment.reach)
-        continue;
+      if (!isWithinReach(segment, segments_[j])) continue;
       best_cost = c;
       best = labels_[j];
     }
@@ -180,7 +185,7 @@ std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t li
       const double q = normal.dot(segment.ray_b);
       const double ratio = d * d / std::max(segment.sensor_variance_b * q * q + segment.variance, 1e-18);
       if (ratio > best_ratio || (best != kNone && ratio >= best_ratio)) continue;
-      if (squaredSegmentDistance(segment.a, segment.b, partner.a, partner.b) > segment.reach * segment.reach) continue;
+      if (!isWithinReach(segment, partner)) continue;
       best_ratio = ratio;
       best = j;
     }

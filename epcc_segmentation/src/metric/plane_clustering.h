@@ -66,6 +66,7 @@ class PlaneClustering {
 
   Segment makeSegment(const ClusteredLine& line_segment) const;
   double cost(const PlanePrototype& plane, const Segment& segment, double limit) const;
+  static bool isWithinReach(const Segment& segment, const Segment& neighbour);
   static bool isBeyondReach(const Segment& segment, const Segment& neighbour);
   int bestPlane(const Segment& segment, std::size_t line);
   std::size_t startPartner(const Segment& segment, std::size_t line) const;
