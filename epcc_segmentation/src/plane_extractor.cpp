@@ -7,11 +7,11 @@
 #include <exception>
 #include <new>
 
-#include "epcc_segmentation/plane_fit.h"
 #include "epcc_segmentation/sensor_estimation.h"
 #include "epcc_segmentation/vector_unit.h"
 #include "inverse_depth/inverse_depth_pipeline.h"
 #include "metric/metric_pipeline.h"
+#include "plane_fit_samples.h"
 
 namespace epcc {
 
@@ -61,6 +61,7 @@ struct PlaneExtractor::Workspace {
   SensorEstimator estimator;
   MetricPipeline metric;
   InverseDepthPipeline inverse_depth;
+  PlaneFitter fitter;
 };
 
 PlaneExtractor::PlaneExtractor(const Parameters& parameters, const std::optional<SensorModel>& sensor)
@@ -92,7 +93,7 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
   if (!workspace_) workspace_ = std::make_unique<Workspace>(parameters_, sensor_);  // it was moved away
   const int count = parameters_.mode == Mode::Paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
   StopWatch watch;
-  fitPlanes(frame, sensor_, count, result);
+  workspace_->fitter.fit(frame, sensor_, count, FitSamples(), parameters_.threads, result);
   if (parameters_.line_segments) listSegments(frame, result);
   times_.result += watch.lap();
   return true;
@@ -103,7 +104,7 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
 }
 
 int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& result) {
-  result.labels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
+  result.labels.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
   if (measures_sensor_) measureSensor(frame);
   const DepthFrame view = scanView(frame, parameters_.scan);
   MetricPipeline& pipeline = workspace_->metric;
@@ -111,9 +112,10 @@ int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& re
   StopWatch watch;
   pipeline.clusterLines(view);  // Algorithm 1
   times_.lines = watch.lap();
-  pipeline.clusterPlanes(view);  // Algorithm 2
+  pipeline.clusterPlanes();  // Algorithm 2
   times_.planes = watch.lap();
   const int count = pipeline.labelPixels(view, result.labels);
+  workspace_->fitter.lendDepth(pipeline.depth(), pipeline.numberStride());
   times_.result = watch.lap();
   return count;
 }

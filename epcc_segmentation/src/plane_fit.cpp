@@ -5,81 +5,57 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
+#include "label_table.h"
 #include "metric/recursive_statistics.h"
+#include "parallel_for.h"
+#include "plane_fit_samples.h"
 
 namespace epcc {
 
 namespace {
 
+// However many threads there are, the rows are summed in as many bands: one order of all sums.
+constexpr int kBands = 8;
+
+// A plane with fewer samples on the grid is fitted to all of its pixels.
+constexpr double kFewestSamples = 100.0;
+
 /// Weighted sums of points.
 struct PointSums {
-  double one = 0.0, x = 0.0, y = 0.0, z = 0.0;
-  double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
+  double one = 0.0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
 
-  void add(double px, double py, double pz, double weight) {
-    const double wx = weight * px;
-    const double wy = weight * py;
-    const double wz = weight * pz;
-    one += weight;
-    x += wx;
-    y += wy;
-    z += wz;
-    xx += wx * px;
-    xy += wx * py;
-    xz += wx * pz;
-    yy += wy * py;
-    yz += wy * pz;
-    zz += wz * pz;
-  }
-  Eigen::Vector3d first() const { return {x, y, z}; }
-  Eigen::Matrix3d second() const {
-    Eigen::Matrix3d m;
-    m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    return m;
+  /// Of the lanes' sums, about an origin that lies `shift` before theirs.
+  void add(const double (*lanes)[kSumLanes], const Eigen::Vector3d& shift) {
+    double s[kSums];
+    for (int k = 0; k < kSums; ++k) {
+      const double* l = lanes[k];
+      s[k] = ((l[0] + l[4]) + (l[2] + l[6])) + ((l[1] + l[5]) + (l[3] + l[7]));
+    }
+    const Eigen::Vector3d p(s[1], s[2], s[3]);
+    Eigen::Matrix3d pp;
+    pp << s[4], s[5], s[6], s[5], s[7], s[8], s[6], s[8], s[9];
+    one += s[0];
+    first += p + s[0] * shift;
+    second += pp + p * shift.transpose() + shift * p.transpose() + s[0] * shift * shift.transpose();
   }
 };
 
-/// Sums over a plane's points about its first point, where double precision loses nothing.
+/// Sums over a plane's points about its first point.
 struct PointMoments {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   PointSums plain;
   PointSums weighted;
 
-  void add(const Eigen::Vector3d& p, double weight) {
-    if (plain.one == 0.0) origin = p;
-    const Eigen::Vector3d r = p - origin;
-    plain.add(r.x(), r.y(), r.z(), 1.0);
-    weighted.add(r.x(), r.y(), r.z(), weight);
-  }
-};
-
-/// Sums along a run of an image row. Its rays share v = y/z, so that y - y0 = v (z - z0) + c there, and the sums with y
-/// follow from the others.
-struct RowSums {
-  double one = 0.0, x = 0.0, z = 0.0, xx = 0.0, xz = 0.0, zz = 0.0;
-
-  void add(double px, double pz, double weight) {
-    const double wx = weight * px;
-    const double wz = weight * pz;
-    one += weight;
-    x += wx;
-    z += wz;
-    xx += wx * px;
-    xz += wx * pz;
-    zz += wz * pz;
-  }
-  void addTo(PointSums& sums, double v, double c) const {
-    sums.one += one;
-    sums.x += x;
-    sums.y += v * z + c * one;
-    sums.z += z;
-    sums.xx += xx;
-    sums.xy += v * xz + c * x;
-    sums.xz += xz;
-    sums.yy += v * (v * zz + 2.0 * c * z) + c * c * one;
-    sums.yz += v * zz + c * z;
-    sums.zz += zz;
+  void add(const LabelSums& sums) {
+    if (!sums.started) return;
+    const Eigen::Vector3d own(sums.origin[0], sums.origin[1], sums.origin[2]);
+    if (plain.one == 0.0) origin = own;
+    plain.add(sums.lanes, own - origin);
+    weighted.add(sums.lanes + kSums, own - origin);
   }
 };
 
@@ -98,17 +74,18 @@ Eigen::Matrix4d coefficientsCovariance(const Eigen::Matrix3d& axes, const Eigen:
   return covariance;
 }
 
-Plane planeOf(const PointMoments& moments, const SensorModel& sensor) {
+/// `samples_per_independent`: neighbouring errors are alike, N samples are worth N / that many independent ones.
+Plane planeOf(const PointMoments& moments, long pixels, double samples_per_independent) {
   Plane plane;
   const double n = moments.plain.one;
   const double weight = moments.weighted.one;
-  const Eigen::Vector3d mean = moments.plain.first() / n;
-  plane.pixel_count = static_cast<std::size_t>(n);
+  const Eigen::Vector3d mean = moments.plain.first / n;
+  plane.pixel_count = static_cast<std::size_t>(pixels);
   plane.centroid = moments.origin + mean;
-  plane.points_covariance = moments.plain.second() / n - mean * mean.transpose();
+  plane.points_covariance = moments.plain.second / n - mean * mean.transpose();
 
-  const Eigen::Vector3d weighted_mean = moments.weighted.first() / weight;
-  const Eigen::Matrix3d scatter = moments.weighted.second() - weight * weighted_mean * weighted_mean.transpose();
+  const Eigen::Vector3d weighted_mean = moments.weighted.first / weight;
+  const Eigen::Matrix3d scatter = moments.weighted.second - weight * weighted_mean * weighted_mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   Eigen::Vector3d normal = solver.eigenvectors().col(0);
   const Eigen::Vector3d centre = moments.origin + weighted_mean;
@@ -118,97 +95,204 @@ Plane planeOf(const PointMoments& moments, const SensorModel& sensor) {
   const double mean_distance = plane.signedDistance(plane.centroid);
   const double spread = varianceAlong(plane.points_covariance, normal);
   plane.rms = std::sqrt(spread + mean_distance * mean_distance);
-  // Neighbouring errors are alike: N pixels are worth N / pixelsPerSample independent ones.
   const double residual = std::max(0.0, solver.eigenvalues()(0)) / std::max(1.0, n - 3.0);
   plane.coefficients_covariance = coefficientsCovariance(solver.eigenvectors(), solver.eigenvalues(), weight, centre,
-                                                         residual * sensor.pixelsPerSample());
+                                                         residual * samples_per_independent);
   return plane;
 }
 
-/// Calls visit(moments, row, first column, end) for every run of one of the labels 1..plane_count along a row.
-template <typename Visit>
-std::vector<PointMoments> forEachRun(const DepthFrame& frame, int plane_count, const std::vector<std::int32_t>& labels,
-                                     const Visit& visit) {
-  std::vector<PointMoments> moments(static_cast<std::size_t>(plane_count));
-  for (int row = 0; row < frame.height(); ++row)
-    for (int column = 0, end = 0; column < frame.width(); column = end) {
-      const std::int32_t label = labels[frame.index(row, column)];
-      for (end = column + 1; end < frame.width() && labels[frame.index(row, end)] == label;) ++end;
-      if (label > 0 && label <= plane_count) visit(moments[static_cast<std::size_t>(label - 1)], row, column, end);
-    }
-  return moments;
+/// The points of every stride-th column of a row, zeros where nothing is measured.
+void readPoints(const DepthFrame& image, int row, const FitSamples& samples, float* x, float* y, float* z) {
+  Eigen::Vector3d p;
+  for (int column = samples.offset; column < image.width(); column += samples.stride, ++x, ++y, ++z) {
+    if (!image.point(row, column, p)) p.setZero();
+    *x = static_cast<float>(p.x());
+    *y = static_cast<float>(p.y());
+    *z = static_cast<float>(p.z());
+  }
 }
 
-std::vector<PointMoments> momentsOfPoints(const DepthFrame& frame, const SensorModel& sensor, int plane_count,
-                                          const std::vector<std::int32_t>& labels) {
-  const bool perspective = isPerspective(frame.projection());
-  return forEachRun(frame, plane_count, labels, [&](PointMoments& moments, int row, int begin, int end) {
-    Eigen::Vector3d p;
-    PointMoments run = moments;  // summed in registers
-    for (int column = begin; column < end; ++column)
-      if (frame.point(row, column, p)) run.add(p, 1.0 / sensor.varianceZ(perspective ? std::abs(p.z()) : p.norm()));
-    moments = run;
-  });
+/// Every stride-th value, in its own place or another.
+template <typename T>
+void thinOut(const T* from, int width, const FitSamples& samples, T* to) {
+  for (int column = samples.offset; column < width; column += samples.stride) *to++ = from[column];
 }
 
-/// The same of a depth image, with fewer operations.
-std::vector<PointMoments> momentsOfDepths(const DepthFrame& frame, const SensorModel& sensor, int plane_count,
-                                          const std::vector<std::int32_t>& labels) {
-  std::vector<double> across;
-  for (int column = 0; column < frame.width(); ++column) across.push_back(frame.pinholeAcross(column));
-  std::vector<float> depth(static_cast<std::size_t>(frame.width()));
-  std::vector<double> weight(depth.size());
-  const SensorModel own = sensor;  // a local copy cannot alias the weights
-  int depth_row = -1;
-  return forEachRun(frame, plane_count, labels, [&](PointMoments& moments, int row, int begin, int end) {
-    if (row != depth_row) {
-      frame.depthRow(row, depth.data());
-      for (std::size_t i = 0; i < depth.size(); ++i) weight[i] = 1.0 / own.varianceZ(static_cast<double>(depth[i]));
-      depth_row = row;
-    }
-    auto column = static_cast<std::size_t>(begin);
-    while (column < static_cast<std::size_t>(end) && !(depth[column] > 0.0f)) ++column;
-    if (column == static_cast<std::size_t>(end)) return;
-    const double v = frame.pinholeAlong(row);
-    const auto first = static_cast<double>(depth[column]);
-    if (moments.plain.one == 0.0) moments.origin = first * Eigen::Vector3d(across[column], v, 1.0);
-    const Eigen::Vector3d origin = moments.origin;
-    RowSums plain, weighted;
-    for (; column < static_cast<std::size_t>(end); ++column) {
-      const auto z = static_cast<double>(depth[column]);
-      if (!(z > 0.0)) continue;
-      const double px = z * across[column] - origin.x();
-      const double pz = z - origin.z();
-      plain.add(px, pz, 1.0);
-      weighted.add(px, pz, weight[column]);
-    }
-    const double c = v * origin.z() - origin.y();
-    plain.addTo(moments.plain, v, c);
-    weighted.addTo(moments.weighted, v, c);
-  });
+int samplesAlong(int size, const FitSamples& samples) {
+  return std::max(0, (size - samples.offset + samples.stride - 1) / samples.stride);
 }
 
 }  // namespace
 
-bool fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count, PlaneSegmentation& segmentation) {
-  segmentation.planes.clear();
-  const auto pixels = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
-  if (plane_count < 0 || segmentation.labels.size() != pixels) return false;
-  const auto momentsOf = frame.isPinhole() && !frame.isTransposed() ? momentsOfDepths : momentsOfPoints;
-  const std::vector<PointMoments> moments = momentsOf(frame, sensor, plane_count, segmentation.labels);
-  std::vector<std::size_t> order(moments.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return moments[i].plain.one > moments[j].plain.one; });
-  std::vector<std::int32_t> new_label(moments.size() + 1, 0);
-  for (const std::size_t i : order) {
-    if (moments[i].plain.one == 0.0) break;
-    segmentation.planes.push_back(planeOf(moments[i], sensor));
-    new_label[i + 1] = static_cast<std::int32_t>(segmentation.planes.size());
+void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples,
+                          const std::vector<std::int32_t>& labels, int begin, int end, Band& band) const {
+  const auto width = static_cast<std::size_t>(image.width());
+  const auto count = static_cast<std::size_t>(samplesAlong(image.width(), samples));
+  const bool is_whole = samples.stride == 1 && samples.offset == 0;
+  band.points.resize(3 * width);
+  band.labels.resize(width);
+  float* x = band.points.data();
+  float* y = x + width;
+  float* z = y + width;
+  LabelledRow row;
+  row.count = count;
+  row.z = z;
+  if (image.isPinhole()) {
+    row.across = across_.data();
+    if (!is_whole) {
+      band.across.resize(width);
+      thinOut(across_.data(), image.width(), samples, band.across.data());
+      row.across = band.across.data();
+    }
+  } else {
+    row.x = x;
+    row.y = y;
+    row.depth_is_range = !isPerspective(image.projection());
   }
-  for (auto& label : segmentation.labels)
-    label = label > 0 && label <= plane_count ? new_label[static_cast<std::size_t>(label)] : 0;
+  for (int i = begin; i < end; ++i) {
+    const int r = samples.offset + i * samples.stride;
+    row.labels = labels.data() + image.index(r, 0);
+    if (!is_whole || !only_.empty()) {
+      thinOut(row.labels, image.width(), samples, band.labels.data());
+      if (!only_.empty())
+        for (std::int32_t& label : band.labels)
+          if (label < 1 || label > plane_count_ || only_[static_cast<std::size_t>(label - 1)] == 0) label = 0;
+      row.labels = band.labels.data();
+    }
+    if (image.isPinhole()) {
+      const float* depth = z;
+      if (depth_ != nullptr)
+        depth = depth_ + static_cast<std::size_t>(r) * depth_stride_;
+      else
+        image.depthRow(r, z);
+      if (!is_whole) thinOut(depth, image.width(), samples, z);
+      row.z = is_whole ? depth : z;
+      row.along = image.pinholeAlong(r);
+    } else {
+      readPoints(image, r, samples, x, y, z);
+    }
+    band.has_strays = addToLabelSums(row, variance, plane_count_, band.sums.data()) || band.has_strays;
+  }
+}
+
+void PlaneFitter::sumAll(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples,
+                         int threads, const std::vector<std::int32_t>& labels) {
+  const int rows = samplesAlong(image.height(), samples);
+  parallelFor(kBands, threads, [&](int, int first_band, int end_band) {
+    for (int b = first_band; b < end_band; ++b)
+      sumBand(image, variance, samples, labels, rows * b / kBands, rows * (b + 1) / kBands,
+              bands_[static_cast<std::size_t>(b)]);
+  });
+}
+
+void PlaneFitter::countPixels(const DepthFrame& image, int threads, const std::vector<std::int32_t>& labels) {
+  const auto pixels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
+  parallelFor(kBands, threads, [&](int, int first_band, int end_band) {
+    for (int b = first_band; b < end_band; ++b) {
+      Band& band = bands_[static_cast<std::size_t>(b)];
+      const std::size_t begin = pixels * static_cast<std::size_t>(b) / kBands;
+      const std::size_t end = pixels * static_cast<std::size_t>(b + 1) / kBands;
+      band.pixels.assign(static_cast<std::size_t>(plane_count_), 0);
+      band.has_strays = countLabels(labels.data() + begin, end - begin, plane_count_, band.pixels.data());
+    }
+  });
+  for (const Band& band : bands_)
+    for (std::size_t i = 0; i < pixels_.size(); ++i) pixels_[i] += band.pixels[i];
+}
+
+double PlaneFitter::samplesOf(std::size_t plane) const {
+  double n = 0.0;
+  for (const Band& band : bands_)
+    if (band.sums[plane].started)
+      for (const double lane : band.sums[plane].lanes[0]) n += lane;
+  return n;
+}
+
+// Thin or small planes may have missed the grid.
+void PlaneFitter::fillSparsePlanes(const DepthFrame& image, const SensorVariance& variance, int threads,
+                                   const std::vector<std::int32_t>& labels) {
+  bool any = false;
+  for (std::size_t i = 0; i < is_sparse_.size(); ++i) {
+    is_sparse_[i] = pixels_[i] > 0 && samplesOf(i) < kFewestSamples ? 1 : 0;
+    if (is_sparse_[i] == 0) continue;
+    any = true;
+    for (Band& band : bands_) band.sums[i].started = false;
+  }
+  if (!any) return;
+  only_ = is_sparse_;
+  sumAll(image, variance, FitSamples(), threads, labels);
+  only_.clear();
+}
+
+bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int plane_count, const FitSamples& samples,
+                      int threads, PlaneSegmentation& segmentation) {
+  segmentation.planes.clear();
+  const float* const lent_depth = std::exchange(depth_, nullptr);
+  const auto size = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
+  if (plane_count < 0 || segmentation.labels.size() != size) return false;
+  const DepthFrame image = frame.isTransposed() ? frame.transposed() : frame;
+  const SensorVariance variance(sensor);
+  depth_ = lent_depth;
+  const auto count = static_cast<std::size_t>(plane_count);
+  plane_count_ = plane_count;
+  pixels_.assign(count, 0);
+  is_sparse_.assign(count, 0);
+  bands_.resize(kBands);
+  for (Band& band : bands_) {
+    band.sums.resize(std::max(count, band.sums.size()));
+    for (std::size_t i = 0; i < count; ++i) band.sums[i].started = false;
+    band.has_strays = false;
+  }
+  if (image.isPinhole()) {
+    across_.resize(static_cast<std::size_t>(image.width()));
+    for (int c = 0; c < image.width(); ++c) across_[static_cast<std::size_t>(c)] = image.pinholeAcross(c);
+  }
+  sumAll(image, variance, samples, threads, segmentation.labels);
+  if (samples.stride > 1) {
+    countPixels(image, threads, segmentation.labels);
+    fillSparsePlanes(image, variance, threads, segmentation.labels);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) pixels_[i] = static_cast<long>(samplesOf(i));
+  }
+  listPlanes(sensor, samples, segmentation.planes);
+  renumber(threads, segmentation.labels);
+  depth_ = nullptr;
   return true;
+}
+
+void PlaneFitter::listPlanes(const SensorModel& sensor, const FitSamples& samples, std::vector<Plane>& planes) {
+  order_.resize(pixels_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::sort(order_.begin(), order_.end(), [this](std::size_t i, std::size_t j) {
+    return pixels_[i] != pixels_[j] ? pixels_[i] > pixels_[j] : i < j;
+  });
+  new_label_.assign(pixels_.size() + 1, 0);
+  const double area = static_cast<double>(samples.stride) * static_cast<double>(samples.stride);
+  for (const std::size_t i : order_) {
+    PointMoments moments;
+    for (const Band& band : bands_) moments.add(band.sums[i]);
+    if (moments.plain.one == 0.0) continue;
+    const double per_independent = sensor.pixelsPerSample() / (is_sparse_[i] != 0 ? 1.0 : area);
+    planes.push_back(planeOf(moments, pixels_[i], std::max(1.0, per_independent)));
+    new_label_[i + 1] = static_cast<std::int32_t>(planes.size());
+  }
+}
+
+void PlaneFitter::renumber(int threads, std::vector<std::int32_t>& labels) const {
+  bool changes = false;
+  for (const Band& band : bands_) changes = changes || band.has_strays;
+  for (std::size_t i = 0; i < new_label_.size(); ++i)
+    changes = changes || new_label_[i] != static_cast<std::int32_t>(i);
+  if (!changes) return;
+  parallelFor(kBands, threads, [&](int, int first_band, int end_band) {
+    const std::size_t begin = labels.size() * static_cast<std::size_t>(first_band) / kBands;
+    const std::size_t end = labels.size() * static_cast<std::size_t>(end_band) / kBands;
+    changeLabels(labels.data() + begin, end - begin, plane_count_, new_label_.data());
+  });
+}
+
+bool fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count, PlaneSegmentation& segmentation) {
+  return PlaneFitter().fit(frame, sensor, plane_count, FitSamples(), 1, segmentation);
 }
 
 }  // namespace epcc

@@ -4,13 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <limits>
+#include <vector>
 
+#include "plane_fit_samples.h"
 #include "tests/support/rendered_room.h"
+#include "tests/support/vector_units.h"
 
 namespace {
 
+using epcc::DepthFrame;
 using epcc::PlaneSegmentation;
 using epcc::SensorModel;
 
@@ -152,6 +157,178 @@ TEST(PlaneFit, Equation28ProjectsOnThePlane) {
   const Eigen::Vector3d q = plane.project(p);
   EXPECT_NEAR(plane.signedDistance(q), 0.0, 1e-12);
   EXPECT_NEAR((p - q).cross(plane.coefficients.head<3>()).norm(), 0.0, 1e-12);
+}
+
+/// Fit of one label as its definition says, in double precision, from every stride-th row and column.
+epcc::Plane plainFit(const DepthFrame& frame, const SensorModel& sensor, const std::vector<std::int32_t>& labels,
+                     std::int32_t label, int stride, int offset, double samples_per_independent) {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> weights;
+  epcc::Plane plane;
+  Eigen::Vector3d p;
+  for (int row = 0; row < frame.height(); ++row)
+    for (int column = 0; column < frame.width(); ++column) {
+      if (labels[frame.index(row, column)] != label || !frame.point(row, column, p)) continue;
+      ++plane.pixel_count;
+      if (row % stride != offset || column % stride != offset) continue;
+      points.push_back(p);
+      weights.push_back(1.0 / sensor.varianceZ(isPerspective(frame.projection()) ? std::abs(p.z()) : p.norm()));
+    }
+  double weight = 0.0;
+  Eigen::Vector3d weighted_mean = Eigen::Vector3d::Zero();
+  const auto n = static_cast<double>(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    plane.centroid += points[i] / n;
+    weighted_mean += weights[i] * points[i];
+    weight += weights[i];
+  }
+  weighted_mean /= weight;
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    plane.points_covariance += (points[i] - plane.centroid) * (points[i] - plane.centroid).transpose() / n;
+    scatter += weights[i] * (points[i] - weighted_mean) * (points[i] - weighted_mean).transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+  Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  if (normal.dot(weighted_mean) > 0.0) normal = -normal;
+  plane.coefficients << normal, -normal.dot(weighted_mean);
+  double squares = 0.0;
+  for (const auto& point : points) squares += std::pow(plane.signedDistance(point), 2);
+  plane.rms = std::sqrt(squares / n);
+  const double unit = solver.eigenvalues()(0) / (n - 3.0) * samples_per_independent;
+  Eigen::Matrix3d tilt = Eigen::Matrix3d::Zero();
+  for (int k = 1; k < 3; ++k)
+    tilt += unit / solver.eigenvalues()(k) * solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose();
+  plane.coefficients_covariance.topLeftCorner<3, 3>() = tilt;
+  plane.coefficients_covariance.topRightCorner<3, 1>() = -tilt * weighted_mean;
+  plane.coefficients_covariance.bottomLeftCorner<1, 3>() = -(tilt * weighted_mean).transpose();
+  plane.coefficients_covariance(3, 3) = weighted_mean.dot(tilt * weighted_mean) + unit / weight;
+  return plane;
+}
+
+void expectNear(const epcc::Plane& a, const epcc::Plane& b) {
+  EXPECT_EQ(a.pixel_count, b.pixel_count);
+  EXPECT_LT((a.coefficients - b.coefficients).norm(), 1e-6 * b.coefficients.norm());
+  EXPECT_LT((a.centroid - b.centroid).norm(), 1e-6 * b.centroid.norm());
+  EXPECT_LT((a.points_covariance - b.points_covariance).norm(), 1e-6 * b.points_covariance.norm());
+  EXPECT_NEAR(a.rms, b.rms, 1e-6 * b.rms);
+  EXPECT_LT((a.coefficients_covariance - b.coefficients_covariance).norm(), 1e-6 * b.coefficients_covariance.norm());
+}
+
+/// A noisy corner of a room with holes, and labels in short and long runs, some of them strangers.
+epcc::test::RenderedRoom labelledRoom(int width, int height) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
+  epcc::test::addNoise(room, SensorModel::axial(0.002, 0.003), 3);
+  for (std::size_t i = 0; i < room.depth.size(); ++i) {
+    if (i % 11 == 0) room.depth[i] = 0.0f;
+    if (i % 13 == 5) room.labels[i] = 0;
+    if (i % 50 < 9) room.labels[i] = static_cast<std::int32_t>(1 + i % 3);
+    if (i % 97 == 0) room.labels[i] = 77;
+  }
+  return room;
+}
+
+TEST(PlaneFit, IsThatOfPlainSumsInDoublePrecision) {
+  const SensorModel sensors[] = {SensorModel::axial(0.002, 0.003, 2.0),
+                                 SensorModel::polynomial(0.006954, -0.003713, 0.001153, 0.1)};
+  for (const auto& [width, height] : {std::pair<int, int>{160, 120}, {61, 40}, {7, 200}})
+    for (const SensorModel& sensor : sensors) {
+      const auto room = labelledRoom(width, height);
+      std::vector<float> cloud, scan;
+      Eigen::Vector3d p;
+      for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+          if (!room.frame().point(row, column, p)) p.setConstant(std::numeric_limits<double>::quiet_NaN());
+          for (const double value : {p.x(), -p.y(), -p.z(), 0.0}) cloud.push_back(static_cast<float>(value));
+          for (const double value : {p.z(), -p.x(), -p.y()}) scan.push_back(static_cast<float>(value));
+        }
+      const auto backward = epcc::Projection::PerspectiveBackward;
+      for (const DepthFrame& frame :
+           {room.frame(), room.frame().transposed(), DepthFrame::fromPoints(cloud.data(), 4, width, height, backward),
+            DepthFrame::fromPoints(scan.data(), 3, width, height, epcc::Projection::Spherical)}) {
+        PlaneSegmentation segmentation;
+        segmentation.labels = room.labels;
+        ASSERT_TRUE(epcc::fitPlanes(frame, sensor, 3, segmentation));
+        ASSERT_EQ(segmentation.planes.size(), 3u);
+        for (std::int32_t k = 1; k <= 3; ++k)
+          expectNear(segmentation.planes[static_cast<std::size_t>(k - 1)],
+                     plainFit(frame, sensor, segmentation.labels, k, 1, 0, sensor.pixelsPerSample()));
+      }
+    }
+}
+
+TEST(PlaneFit, ASampleGridGivesTheSumsAndEveryPixelTheCount) {
+  auto room = labelledRoom(160, 120);
+  for (std::size_t i = 0; i < room.labels.size(); ++i)
+    if (room.depth[i] == 0.0f) room.labels[i] = 0;
+  const SensorModel sensor = SensorModel::axial(0.002, 0.003, 2.0);  // 25 pixels a sample
+  for (const auto& [stride, offset] : {std::pair<int, int>{2, 1}, {3, 1}, {3, 0}, {6, 3}}) {
+    PlaneSegmentation segmentation;
+    segmentation.labels = room.labels;
+    epcc::PlaneFitter fitter;
+    ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {stride, offset}, 1, segmentation));
+    ASSERT_EQ(segmentation.planes.size(), 3u);
+    for (std::int32_t k = 1; k <= 3; ++k)
+      expectNear(segmentation.planes[static_cast<std::size_t>(k - 1)],
+                 plainFit(room.frame(), sensor, segmentation.labels, k, stride, offset,
+                          std::max(1.0, sensor.pixelsPerSample() / (stride * stride))));
+  }
+}
+
+// Planes that the grid misses are fitted all the same.
+TEST(PlaneFit, APlaneBetweenTheSamplesIsFittedToAllOfItsPixels) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  const SensorModel sensor = SensorModel::axial(0.002, 0.003, 2.0);
+  epcc::test::addNoise(room, sensor, 5);
+  for (std::size_t i = 0; i < room.labels.size(); ++i) {
+    const std::size_t row = i / 160, column = i % 160;
+    room.labels[i] = row > 20 && row < 27 && column % 4 == 1 ? 2 : 1;
+  }
+  PlaneSegmentation segmentation;
+  segmentation.labels = room.labels;
+  epcc::PlaneFitter fitter;
+  ASSERT_TRUE(fitter.fit(room.frame(), sensor, 2, {4, 2}, 1, segmentation));
+  ASSERT_EQ(segmentation.planes.size(), 2u);
+  expectNear(segmentation.planes[1],
+             plainFit(room.frame(), sensor, segmentation.labels, 2, 1, 0, sensor.pixelsPerSample()));
+}
+
+TEST(PlaneFit, HasTheSameBitsOnEveryUnitAndWithAnyNumberOfThreads) {
+  const auto room = labelledRoom(160, 120);
+  const SensorModel sensor = SensorModel::axial(0.002, 0.003, 2.0);
+  PlaneSegmentation first;
+  epcc::test::onEveryVectorUnit([&] {
+    for (const int threads : {1, 2, 5})
+      for (const int stride : {1, 2}) {
+        PlaneSegmentation segmentation;
+        segmentation.labels = room.labels;
+        epcc::PlaneFitter fitter;
+        ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {stride, stride / 2}, threads, segmentation));
+        if (stride > 1) continue;
+        if (first.planes.empty()) first = segmentation;
+        ASSERT_EQ(segmentation.labels, first.labels);
+        for (std::size_t k = 0; k < 3; ++k) {
+          ASSERT_EQ(segmentation.planes[k].coefficients, first.planes[k].coefficients);
+          ASSERT_EQ(segmentation.planes[k].coefficients_covariance, first.planes[k].coefficients_covariance);
+        }
+      }
+  });
+}
+
+TEST(PlaneFit, AFitterForgetsTheFrameBefore) {
+  const SensorModel sensor = SensorModel::axial(0.002, 0.003, 2.0);
+  epcc::PlaneFitter fitter;
+  for (const auto& [width, height, stride] : {std::tuple<int, int, int>{160, 120, 1}, {60, 50, 2}, {60, 50, 1}}) {
+    const auto room = labelledRoom(width, height);
+    PlaneSegmentation fresh, again;
+    fresh.labels = again.labels = room.labels;
+    ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {stride, 0}, 1, again));
+    ASSERT_TRUE(epcc::PlaneFitter().fit(room.frame(), sensor, 3, {stride, 0}, 1, fresh));
+    ASSERT_EQ(again.labels, fresh.labels);
+    ASSERT_EQ(again.planes.size(), fresh.planes.size());
+    for (std::size_t k = 0; k < fresh.planes.size(); ++k)
+      ASSERT_EQ(again.planes[k].coefficients_covariance, fresh.planes[k].coefficients_covariance);
+  }
 }
 
 }  // namespace

@@ -1,124 +1,209 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Algorithm 1 of the paper, one function a step.
+// Algorithm 1 of the paper in single precision, a vector lane a scan line, one function a step.
 #include "metric/line_clustering.h"
 
-#include <algorithm>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "metric/line_clustering.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
+#include "metric/line_candidates-inl.h"
+#include "metric/line_prototypes-inl.h"
+#include "metric/line_samples-inl.h"
+#include "vector/dispatch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace epcc {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace {
+
+constexpr int kSides = 2;  // two independent vectors: the recurrence waits for its root and its division
+
+/// One row of a side: returns the lanes whose buffer may hold a new segment.
+HWY_INLINE MF step(const LineRule& rule, const Samples& s, int row, std::int32_t* numbers, Prototypes& p) {
+  const Int di;
+  const MF accepted = acceptAndUpdate(rule, s, p);
+  const auto accepted_int = hn::RebindMask(di, accepted);
+  hn::StoreU(hn::IfThenElseZero(accepted_int, p.number), di, numbers);
+  p.last = hn::IfThenElse(accepted_int, hn::Set(di, row), p.last);
+  const MF rejected = hn::AndNot(accepted, s.measured);
+  const auto rejected_int = hn::RebindMask(di, rejected);
+  p.waiting = hn::IfThenZeroElse(accepted_int, hn::Add(p.waiting, hn::IfThenElseZero(rejected_int, hn::Set(di, 1))));
+  const auto full = hn::Gt(p.waiting, hn::Set(di, rule.minSamples() - 1));
+  return hn::And(rejected, hn::RebindMask(Float(), full));
+}
+
+/// Buffers and first samples of the lines, and what leaves them.
+struct Lines {
+  const ScanStrip& strip;
+  const LineRule& rule;
+  StripSegments& result;
+  SampleBuffer buffers[kStripLines];
+  int first[kStripLines];
+};
+
+/// The active segment of a line goes out.
+void emitSegment(Lines& lines, int line, const LinePrototypeLane& p, int last) {
+  StripSegments& result = lines.result;
+  LineRecord& record = result.records[line * result.capacity + result.count[line]++];
+  const LineSample first_sample = readSample(lines.strip, lines.rule, lines.first[line], line);
+  const LineSample last_sample = readSample(lines.strip, lines.rule, last, line);
+  record.first = lines.first[line];
+  record.last = last;
+  record.n = p.n;
+  record.mean[0] = p.mean1;
+  record.mean[1] = p.mean2;
+  record.scatter[0] = p.s11;
+  record.scatter[1] = p.s22;
+  record.scatter[2] = p.s12;
+  record.residuals = p.residuals;
+  record.normal[0] = p.normal1;
+  record.normal[1] = p.normal2;
+  record.first_sample[0] = first_sample.t1;
+  record.first_sample[1] = first_sample.t2;
+  record.last_sample[0] = last_sample.t1;
+  record.last_sample[1] = last_sample.t2;
+}
+
+template <class D>
+HWY_INLINE std::uint64_t bitsOf(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  std::uint64_t bits;
+  hwy::CopyBytes<8>(bytes, &bits);
+  return bits;
+}
+
+/// The old segment goes out before the new one takes its samples from the buffer.
+HWY_INLINE void startSegment(Lines& lines, int line, int lane, int start, const StoredPrototypes& stored,
+                             Prototypes& prototypes) {
+  if (stored.integers[0][lane] != 0) emitSegment(lines, line, laneOf(stored, lane), stored.integers[1][lane]);
+  const SampleBuffer& buffer = lines.buffers[line];
+  StripSegments& result = lines.result;
+  const std::int32_t number = result.first_number + result.count[line] * result.number_step + line;
+  std::int32_t last = 0;
+  const auto take = [&](int i) HWY_ATTR {
+    const int row = buffer.counts[SampleBuffer::kRow][i];
+    result.numbers[static_cast<std::size_t>(row) * result.number_stride + line] = number;
+    last = row;
+  };
+  const int fit_end = start + lines.rule.fit_samples;
+  LinePrototypeLane p = buffer.candidate(start, lines.rule);
+  Agreement agreement;
+  agreement.setCandidate(p);
+  for (int i = start; i < fit_end; ++i) take(i);
+  for (int i = fit_end; i < buffer.end; i += kBufferLanes) {
+    agreement.loadSamples(buffer, i);
+    const BufferMask agrees = hn::And(agreement.holds(lines.rule), lanesBefore(i, buffer.end));
+    for (std::uint64_t bits = bitsOf(BufferTag(), agrees); bits != 0; bits &= bits - 1) {
+      const int at = i + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+      addSample(buffer.sample(at), p);
+      take(at);
+    }
+  }
+  finishFit(p);
+  lines.first[line] = buffer.counts[SampleBuffer::kRow][start];
+  setLane(p, number, last, lane, prototypes);
+}
+
+/// Looks for new segments in the lanes of a mask.
+HWY_NOINLINE void findSegments(Lines& lines, int first_line, int row, std::uint64_t lanes, Prototypes& p) {
+  StoredPrototypes stored;
+  hn::Store(p.waiting, Int(), stored.integers[2]);
+  bool is_stored = false;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes));
+    const int line = first_line + lane;
+    const int start = pushSample(lines.strip, lines.rule, row, line, stored.integers[2][lane], lines.buffers[line]);
+    if (start < 0) continue;
+    if (!is_stored) store(p, stored);
+    is_stored = true;
+    startSegment(lines, line, lane, start, stored, p);
+  }
+}
+
+/// Two vectors of lines, from the first row to the last.
+template <bool kPoints>
+void clusterSides(Lines& lines, int first_line) {
+  const ScanStrip strip = lines.strip;  // copies, which no number that is stored can change
+  const LineRule rule = lines.rule;
+  StripSegments& result = lines.result;
+  std::int32_t* const all_numbers = result.numbers + first_line;
+  const std::size_t number_stride = result.number_stride;
+  const Float d;
+  Prototypes p0, p1;
+  reset(p0);
+  reset(p1);
+  VF x0 = hn::Zero(d), z0 = x0, x1 = x0, z1 = x0;
+  const int second_line = first_line + kLanes;
+  for (int row = 0; row < strip.height; ++row) {
+    std::int32_t* numbers = all_numbers + static_cast<std::size_t>(row) * number_stride;
+    const Samples s0 =
+        kPoints ? readPoints(strip, rule, row, first_line, x0, z0) : readDepths(strip, rule, row, first_line);
+    const Samples s1 =
+        kPoints ? readPoints(strip, rule, row, second_line, x1, z1) : readDepths(strip, rule, row, second_line);
+    const MF full0 = step(rule, s0, row, numbers, p0);
+    const MF full1 = step(rule, s1, row, numbers + kLanes, p1);
+    if (HWY_LIKELY(hn::AllFalse(d, hn::Or(full0, full1)))) continue;
+    if (!hn::AllFalse(d, full0)) findSegments(lines, first_line, row, bitsOf(d, full0), p0);
+    if (!hn::AllFalse(d, full1)) findSegments(lines, second_line, row, bitsOf(d, full1), p1);
+  }
+  const auto finish = [&](const Prototypes& p, VF x, VF z, int line) HWY_ATTR {
+    StoredPrototypes stored;
+    store(p, stored);
+    HWY_ALIGN float sums[2][kLanes];
+    hn::Store(x, d, sums[0]);
+    hn::Store(z, d, sums[1]);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      result.direction[line + lane][0] = sums[0][lane];
+      result.direction[line + lane][1] = sums[1][lane];
+      if (stored.integers[0][lane] != 0)
+        emitSegment(lines, line + lane, laneOf(stored, lane), stored.integers[1][lane]);
+    }
+  };
+  finish(p0, x0, z0, first_line);
+  finish(p1, x1, z1, second_line);
+}
+
+void clusterStrip(const ScanStrip& strip, const LineRule& rule, float* memory, StripSegments& result) {
+  Lines lines{strip, rule, result, {}, {}};
+  for (int line = 0; line < kStripLines; ++line) {
+    result.count[line] = 0;
+    memory = lines.buffers[line].place(memory, rule);
+  }
+  for (int line = 0; line < kStripLines; line += kSides * kLanes)
+    if (strip.x != nullptr)
+      clusterSides<true>(lines, line);
+    else
+      clusterSides<false>(lines, line);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace epcc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace epcc {
 
-void LinePrototype::fit(const Eigen::Vector2d& t) {
-  statistics.add(t);
-  normal = smallestEigenvector(statistics.covariance);
+namespace {
+HWY_EXPORT(clusterStrip);
+}  // namespace
+
+LineRule::LineRule(const PaperParameters& parameters, const SensorModel& sensor)
+    : k_max_squared(static_cast<float>(parameters.line_k_max * parameters.line_k_max)),
+      projection_floor(static_cast<float>(parameters.expert.lines.projection_floor)),
+      fit_samples(parameters.expert.lines.fit_samples),
+      validation_samples(parameters.expert.lines.validation_samples),
+      buffer_samples(parameters.expert.lines.buffer_samples) {
+  if (parameters.expert.lines.use_sensor_noise) variance = SensorVariance(sensor);
 }
 
-void LinePrototype::update(const Eigen::Vector2d& t) {
-  const double d = distance(t);
-  const double n = statistics.n + 1.0;
-  variance = (n - 2.0) / (n - 1.0) * variance + d * d / n;
-  fit(t);
-}
-
-void LineClustering::cluster(const ScanLine& line, ClusteredLines& result) {
-  result.clear();
-  begin(result);
-  for (const auto& sample : line.samples) add(sample);
-  finish();
-  for (auto& segment : result.segments) {
-    segment.a = line.lift(segment.start);
-    segment.b = line.lift(segment.end);
-  }
-}
-
-void LineClustering::begin(ClusteredLines& result) {
-  result_ = &result;
-  has_active_ = false;
-  buffer_.clear();
-}
-
-void LineClustering::add(const ScanSample& sample) {
-  if (has_active_ && accepts(active_, sample)) {
-    active_.update(sample.t);
-    takeMember(sample);
-    buffer_.clear();
-    return;
-  }
-  buffer_.push_back(sample);
-  if (static_cast<int>(buffer_.size()) < parameters_.minSamples()) return;
-  if (!findNewSegment() && static_cast<int>(buffer_.size()) >= parameters_.buffer_samples)
-    buffer_.erase(buffer_.begin());
-}
-
-void LineClustering::finish() {
-  emitSegment();
-  buffer_.clear();
-  result_ = nullptr;
-}
-
-// Eq. 20 with the sensor's axial noise projected on the normal.
-bool LineClustering::accepts(const LinePrototype& prototype, const ScanSample& sample) const {
-  const double d = prototype.distance(sample.t);
-  double variance = prototype.variance;
-  if (parameters_.use_sensor_noise) {
-    const double q = prototype.normal.dot(sample.ray);
-    variance += sample.sensor_variance * std::max(q * q, parameters_.projection_floor);
-  }
-  return d * d <= k_max_ * k_max_ * variance;
-}
-
-// Every start is tried; the first whose line enough later samples agree with wins.
-bool LineClustering::findNewSegment() {
-  const auto fit_samples = static_cast<std::size_t>(parameters_.fit_samples);
-  const auto last_start = buffer_.size() - static_cast<std::size_t>(parameters_.minSamples());
-  for (std::size_t start = 0; start <= last_start; ++start) {
-    LinePrototype candidate;
-    for (std::size_t i = start; i < start + fit_samples; ++i) candidate.statistics.add(buffer_[i].t);
-    candidate.normal = smallestEigenvector(candidate.statistics.covariance);
-    candidate.resetVariance();
-    consistent_.clear();
-    for (std::size_t i = start + fit_samples; i < buffer_.size(); ++i)
-      if (accepts(candidate, buffer_[i])) consistent_.push_back(i);
-    if (static_cast<int>(consistent_.size()) < parameters_.validation_samples) continue;
-    startSegment(start, candidate);
-    return true;
-  }
-  return false;
-}
-
-// The old segment goes out before the new one takes its samples from the buffer.
-void LineClustering::startSegment(std::size_t start, const LinePrototype& candidate) {
-  emitSegment();
-  active_ = candidate;
-  has_active_ = true;
-  member_begin_ = static_cast<int>(result_->members.size());
-  first_sample_ = buffer_[start].t;
-  for (std::size_t i = start; i < start + static_cast<std::size_t>(parameters_.fit_samples); ++i)
-    takeMember(buffer_[i]);
-  for (const std::size_t i : consistent_) {
-    active_.statistics.add(buffer_[i].t);
-    takeMember(buffer_[i]);
-  }
-  active_.normal = smallestEigenvector(active_.statistics.covariance);
-  active_.resetVariance();
-  buffer_.clear();
-}
-
-void LineClustering::takeMember(const ScanSample& sample) {
-  result_->members.push_back(sample.position);
-  last_sample_ = sample.t;
-}
-
-void LineClustering::emitSegment() {
-  if (!has_active_) return;
-  has_active_ = false;
-  ClusteredLine segment;
-  segment.member_begin = member_begin_;
-  segment.member_end = static_cast<int>(result_->members.size());
-  segment.first = result_->members[static_cast<std::size_t>(member_begin_)];
-  segment.last = result_->members.back();
-  segment.prototype = active_;
-  segment.start = active_.project(first_sample_);
-  segment.end = active_.project(last_sample_);
-  result_->segments.push_back(segment);
+void clusterLines(const ScanStrip& strip, const LineRule& rule, LineWorkspace& workspace, StripSegments& result) {
+  float* memory = workspace.floats(kStripLines, HWY_NAMESPACE::SampleBuffer::floats(rule));
+  EPCC_KERNEL(clusterStrip)(strip, rule, memory, result);
 }
 
 }  // namespace epcc
+#endif

@@ -1,93 +1,92 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Algorithm 1: one pass over the samples of a scan line gives line segments.
+// Algorithm 1: one pass over the samples of many neighbouring scan lines at once gives their line segments.
 #pragma once
 
-#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "epcc_segmentation/parameters.h"
-#include "metric/recursive_statistics.h"
-#include "metric/scan_line.h"
+#include "epcc_segmentation/paper_parameters.h"
+#include "epcc_segmentation/sensor_model.h"
+#include "sensor_variance.h"
 
 namespace epcc {
 
-/// Linear prototype: recursive statistics, residual variance (Eq. 11) and unit normal.
-struct LinePrototype {
-  RecursiveStatistics<2> statistics;
-  double variance = 0.0;
-  Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
+/// Scan lines of a strip: neighbouring columns of a view, clustered side by side.
+constexpr int kStripLines = 32;
 
-  /// Signed orthogonal distance (Eq. 19 without its absolute value).
-  double distance(const Eigen::Vector2d& t) const { return (t - statistics.mean).dot(normal); }
-  /// Foot of the perpendicular from a point (Eq. 21).
-  Eigen::Vector2d project(const Eigen::Vector2d& t) const { return t - distance(t) * normal; }
-  /// Takes a sample into mean, covariance and normal.
-  void fit(const Eigen::Vector2d& t);
-  /// The same, and Eq. 11 with the distance to the prototype before the update.
-  void update(const Eigen::Vector2d& t);
-  /// Residual variance := smallest eigenvalue of the covariance.
-  void resetVariance() { variance = varianceAlong(statistics.covariance, normal); }
+/// Beyond so many metres squares leave single precision. What has a larger coordinate counts as not measured.
+constexpr float kFarthest = 1e5f;
+
+/// What Algorithm 1 decides by.
+struct LineRule {
+  LineRule() = default;
+  LineRule(const PaperParameters& parameters, const SensorModel& sensor);
+  float k_max_squared = 0.0f;
+  float projection_floor = 0.0f;
+  SensorVariance variance;  ///< all zeros where the noise model is not to be used
+  int fit_samples = 0;
+  int validation_samples = 0;
+  int buffer_samples = 0;
+  int minSamples() const { return fit_samples + validation_samples; }
 };
 
-/// A line segment of one scan line.
-struct ClusteredLine {
-  int first = 0;  ///< pixel position of the first member along the scan line
-  int last = 0;   ///< pixel position of the last member
-  int member_begin = 0;
-  int member_end = 0;  ///< members are ClusteredLines::members[member_begin .. member_end)
-  LinePrototype prototype;
-  /// Projections of the first and last member on the prototype (Eq. 21, signed), in the scan line's plane, metres.
-  Eigen::Vector2d start = Eigen::Vector2d::Zero();
-  Eigen::Vector2d end = Eigen::Vector2d::Zero();
-  /// The same in the scan frame; set by cluster(), which knows the plane.
-  Eigen::Vector3d a = Eigen::Vector3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+/// The samples of a strip: height rows of kStripLines lines each, `stride` floats apart; lines that are not there are
+/// not measured.
+struct ScanStrip {
+  int height = 0;
+  std::size_t stride = 0;
+  const float* z = nullptr;  ///< forward; of a depth image 0 where nothing is measured, and within farthestDepth()
+  /// Of a depth image: sqrt(1 + u^2) of every line and v of every row; else null.
+  const float* secant = nullptr;
+  const float* along = nullptr;
+  /// Of a cloud: across and along, in the scan frame; all three are 0 where nothing is measured. Else null.
+  const float* x = nullptr;
+  const float* y = nullptr;
+  bool depth_is_range = false;  ///< the measured value of a cloud is the range, not z
 };
 
-/// The segments of one scan line and their member pixels (positions along the line).
-struct ClusteredLines {
-  std::vector<ClusteredLine> segments;
-  std::vector<int> members;
-  void clear() {
-    segments.clear();
-    members.clear();
-  }
+/// A finished segment. `scatter` is (n - 1) times the covariance, `residuals` (n - 1) times the variance of Eq. 11,
+/// `normal` is not normalised.
+struct LineRecord {
+  int first, last;  // rows
+  float n;
+  float mean[2], scatter[3], residuals, normal[2];  // scatter: 11, 22, 12
+  float first_sample[2], last_sample[2];            // (t1, t2)
 };
 
-/// Algorithm 1 as an object that is fed samples in order; its memory is reused from line to line.
-class LineClustering {
+/// What is found in a strip. The k-th segment of a line has the number first_number + k * number_step + line, k from 0:
+/// then those of neighbouring lines lie side by side in tables.
+struct StripSegments {
+  int capacity = 0;               ///< of a line, at least height / k_min
+  LineRecord* records = nullptr;  ///< capacity for each of the kStripLines lines
+  int count[kStripLines] = {};
+  float direction[kStripLines][2] = {};  ///< of a cloud: sum of the unit vectors (x, z) of t1
+  std::int32_t first_number = 1;
+  std::int32_t number_step = kStripLines;
+  std::int32_t* numbers = nullptr;  ///< of each sample its segment's number, 0 none; rows of kStripLines lines
+  std::size_t number_stride = 0;
+};
+
+/// Memory of one thread for the buffers of rejected samples.
+class LineWorkspace {
  public:
-  explicit LineClustering(const PaperParameters& parameters) { configure(parameters); }
-  void configure(const PaperParameters& parameters) {
-    k_max_ = parameters.line_k_max;
-    parameters_ = parameters.expert.lines;
+  /// Floats for `count` arrays of `length` each.
+  float* floats(std::size_t count, std::size_t length) {
+    if (memory_.size() < count * length) memory_.resize(count * length);
+    return memory_.data();
   }
-
-  /// Clusters a whole scan line; `result` is cleared first.
-  void cluster(const ScanLine& line, ClusteredLines& result);
-
-  /// The same in steps, for streams: begin, add each sample, finish. `result` grows at each finished segment.
-  void begin(ClusteredLines& result);
-  void add(const ScanSample& sample);
-  void finish();
 
  private:
-  bool accepts(const LinePrototype& prototype, const ScanSample& sample) const;
-  bool findNewSegment();
-  void startSegment(std::size_t start, const LinePrototype& candidate);
-  void takeMember(const ScanSample& sample);
-  void emitSegment();
-
-  double k_max_ = 0.0;
-  PaperParameters::Lines parameters_;
-  ClusteredLines* result_ = nullptr;
-  bool has_active_ = false;
-  LinePrototype active_;
-  int member_begin_ = 0;
-  Eigen::Vector2d first_sample_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d last_sample_ = Eigen::Vector2d::Zero();
-  std::vector<ScanSample> buffer_;
-  std::vector<std::size_t> consistent_;
+  std::vector<float> memory_;
 };
+
+/// Largest depth of an image at which no coordinate is beyond kFarthest; `slope` is its largest secant or v.
+inline float farthestDepth(float slope) {
+  return kFarthest / slope;
+}
+
+/// Clusters every line of the strip.
+void clusterLines(const ScanStrip& strip, const LineRule& rule, LineWorkspace& workspace, StripSegments& result);
 
 }  // namespace epcc

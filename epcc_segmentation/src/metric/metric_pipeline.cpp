@@ -2,10 +2,42 @@
 // The paper's two algorithms in sequence.
 #include "metric/metric_pipeline.h"
 
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+#include "metric/pixel_labels.h"
+#include "metric/scan_line.h"
 #include "metric/segment_record.h"
-#include "parallel_for.h"
+#include "worker_pool.h"
 
 namespace epcc {
+
+namespace {
+
+/// A record of Algorithm 1 in double precision; `direction` is that of t1.
+ClusteredLine lineOf(const LineRecord& record, const Eigen::Vector3d& direction) {
+  ClusteredLine line;
+  line.first = record.first;
+  line.last = record.last;
+  LinePrototype& p = line.prototype;
+  p.statistics.n = static_cast<int>(record.n);
+  p.statistics.mean = Eigen::Vector2d(record.mean[0], record.mean[1]);
+  p.statistics.covariance << record.scatter[0], record.scatter[2], record.scatter[2], record.scatter[1];
+  p.statistics.covariance /= p.statistics.n - 1.0;
+  p.variance = static_cast<double>(record.residuals) / (p.statistics.n - 1.0);
+  p.normal = Eigen::Vector2d(record.normal[0], record.normal[1]).normalized();
+  // Eqs. 3-8 inverted: z = t1 / sqrt(1 + u^2), x = u z, y = t2.
+  const auto lift = [&direction, &p](const float* sample) {
+    const Eigen::Vector2d t = p.project(Eigen::Vector2d(sample[0], sample[1]));
+    return Eigen::Vector3d(t.x() * direction.x(), t.y(), t.x() * direction.z());
+  };
+  line.a = lift(record.first_sample);
+  line.b = lift(record.last_sample);
+  return line;
+}
+
+}  // namespace
 
 MetricPipeline::MetricPipeline(const Parameters& parameters, const SensorModel& sensor)
     : parameters_(parameters), sensor_(sensor), plane_clustering_(parameters.paper, sensor) {}
@@ -13,63 +45,130 @@ MetricPipeline::MetricPipeline(const Parameters& parameters, const SensorModel& 
 void MetricPipeline::configure(const Parameters& parameters, const SensorModel& sensor) {
   parameters_ = parameters;
   sensor_ = sensor;
-  for (LineClustering& clustering : clusterings_) clustering.configure(parameters.paper);
+  rule_ = LineRule(parameters.paper, sensor);
   plane_clustering_.configure(parameters.paper, sensor);
 }
 
 void MetricPipeline::clusterLines(const DepthFrame& view) {
-  scan_lines_.resize(static_cast<std::size_t>(parameters_.threads));
-  clusterings_.resize(static_cast<std::size_t>(parameters_.threads), LineClustering(parameters_.paper));
+  strips_.begin(view);
+  capacity_ = view.height() / rule_.minSamples() + 1;
   line_segments_.resize(static_cast<std::size_t>(view.width()));
-  parallelFor(view.width(), parameters_.threads, [&](int thread, int begin, int end) {
-    ScanLine& line = scan_lines_[static_cast<std::size_t>(thread)];
-    for (int column = begin; column < end; ++column) {
-      readScanLine(view, sensor_, column, line);
-      clusterings_[static_cast<std::size_t>(thread)].cluster(line, line_segments_[static_cast<std::size_t>(column)]);
+  numbers_.resize(static_cast<std::size_t>(view.height()) * strips_.paddedWidth());
+  const int threads = std::min(parameters_.threads, strips_.count());
+  memory_.resize(static_cast<std::size_t>(threads));
+  plane_clustering_.begin(view.projection());
+  order_of_strips_.begin(strips_.count());
+  std::atomic<int> next_thread{0};
+  std::atomic<int> next_strip{0};
+  onWorkers(threads, [&] {
+    StripMemory& memory = memory_[static_cast<std::size_t>(next_thread++)];
+    for (int strip = next_strip++; strip < strips_.count(); strip = next_strip++) {
+      clusterStrip(view, strip, memory);
+      // Algorithm 2 waits for nobody: it takes what is finished while the other threads are at later strips.
+      if (threads > 1) order_of_strips_.finish(strip, [&](int finished) { clusterPlanesOf(finished); });
     }
   });
 }
 
-void MetricPipeline::clusterPlanes(const DepthFrame& view) {
-  plane_clustering_.begin(view.projection());
-  for (const auto& line : line_segments_) plane_clustering_.addLine(line.segments);
+void MetricPipeline::clusterStrip(const DepthFrame& view, int strip, StripMemory& memory) {
+  const int first = strip * kStripLines;
+  memory.records.resize(static_cast<std::size_t>(capacity_) * kStripLines);
+  StripSegments found;
+  found.capacity = capacity_;
+  found.records = memory.records.data();
+  found.first_number = numberOf(first, 0);
+  found.number_step = static_cast<std::int32_t>(numberStride());
+  found.numbers = numbers_.data() + first;
+  found.number_stride = strips_.paddedWidth();
+  epcc::clusterLines(strips_.strip(view, strip, memory.samples), rule_, memory.workspace, found);
+  const int lines = std::min(kStripLines, view.width() - first);
+  for (int i = 0; i < lines; ++i) {
+    std::vector<ClusteredLine>& segments = line_segments_[static_cast<std::size_t>(first + i)];
+    segments.clear();
+    if (found.count[i] == 0) continue;
+    const Eigen::Vector3d direction = strips_.direction(view, first + i, found.direction[i]);
+    for (int k = 0; k < found.count[i]; ++k) segments.push_back(lineOf(found.records[i * capacity_ + k], direction));
+  }
+}
+
+void MetricPipeline::clusterPlanes() {
+  for (int strip = order_of_strips_.taken(); strip < strips_.count(); ++strip) clusterPlanesOf(strip);
   plane_clustering_.finish();
 }
 
-int MetricPipeline::labelPixels(const DepthFrame& view, std::vector<std::int32_t>& labels) const {
-  std::vector<long> points(plane_clustering_.planes().size(), 0);
-  forEachLabelled([&](std::size_t plane, int, const ClusteredLines&, const ClusteredLine& segment) {
-    points[plane] += segment.member_end - segment.member_begin;
+void MetricPipeline::clusterPlanesOf(int strip) {
+  const auto begin = static_cast<std::size_t>(strip) * kStripLines;
+  const std::size_t end = std::min(begin + kStripLines, line_segments_.size());
+  for (std::size_t column = begin; column < end; ++column) plane_clustering_.addLine(line_segments_[column]);
+}
+
+int MetricPipeline::labelPixels(const DepthFrame& view, std::vector<std::int32_t>& labels) {
+  const int count = numberPlanes();
+  label_of_number_.resize(strips_.paddedWidth() * static_cast<std::size_t>(capacity_) + 1);
+  forEachSegment([&](int plane, std::int32_t number, const ClusteredLine&) {
+    label_of_number_[static_cast<std::size_t>(number)] =
+        plane == PlaneClustering::kUnlabelled ? 0 : label_of_plane_[static_cast<std::size_t>(plane)];
   });
-  std::vector<std::int32_t> label_of(points.size(), 0);
-  std::int32_t count = 0;
-  for (std::size_t plane = 0; plane < points.size(); ++plane)
-    if (points[plane] > 0 && points[plane] >= parameters_.paper.min_points) label_of[plane] = ++count;
-  forEachLabelled([&](std::size_t plane, int column, const ClusteredLines& line, const ClusteredLine& segment) {
-    for (int i = segment.member_begin; i < segment.member_end; ++i)
-      labels[view.index(line.members[static_cast<std::size_t>(i)], column)] = label_of[plane];
-  });
+  label_of_number_[0] = 0;
+  labelOfNumbers(view, numbers_.data(), strips_.paddedWidth(), label_of_number_.data(), labels.data());
   return count;
 }
 
+// Label of each plane by its place in the order of size, the earlier one first of two alike; 0 of one that is dropped.
+int MetricPipeline::numberPlanes() {
+  points_.assign(plane_clustering_.planes().size(), 0);
+  forEachSegment([&](int plane, std::int32_t, const ClusteredLine& segment) {
+    if (plane != PlaneClustering::kUnlabelled)
+      points_[static_cast<std::size_t>(plane)] += segment.prototype.statistics.n;
+  });
+  order_.resize(points_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::sort(order_.begin(), order_.end(),
+            [&](std::size_t i, std::size_t j) { return points_[i] != points_[j] ? points_[i] > points_[j] : i < j; });
+  label_of_plane_.assign(points_.size(), 0);
+  std::int32_t count = 0;
+  for (const std::size_t plane : order_)
+    if (points_[plane] > 0 && points_[plane] >= parameters_.paper.min_points) label_of_plane_[plane] = ++count;
+  return count;
+}
+
+// Their statistics and ends again in double precision, from the samples that they took.
 void MetricPipeline::listSegments(const DepthFrame& view, const std::vector<std::int32_t>& labels,
                                   std::vector<LineSegment>& segments) const {
-  for (int column = 0; column < view.width(); ++column)
-    for (const ClusteredLine& line : line_segments_[static_cast<std::size_t>(column)].segments) {
+  ScanLine scan_line;
+  for (int column = 0; column < view.width(); ++column) {
+    readScanLine(view, sensor_, column, scan_line);
+    const auto& lines = line_segments_[static_cast<std::size_t>(column)];
+    auto sample = scan_line.samples.begin();
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      ClusteredLine line = lines[k];
+      LinePrototype& p = line.prototype;
+      p.statistics = RecursiveStatistics<2>();
+      Eigen::Vector2d first = Eigen::Vector2d::Zero(), last = first;
+      for (; sample != scan_line.samples.end() && sample->position <= line.last; ++sample) {
+        if (numbers_[static_cast<std::size_t>(sample->position) * numberStride() + static_cast<std::size_t>(column)] !=
+            numberOf(column, k))
+          continue;
+        p.statistics.add(sample->t);
+        if (sample->position == line.first) first = sample->t;
+        last = sample->t;
+      }
+      p.normal = smallestEigenvector(p.statistics.covariance);
+      line.a = scan_line.lift(p.project(first));
+      line.b = scan_line.lift(p.project(last));
       segments.push_back(lineSegmentOf(view, column, line));
       segments.back().label = labels[view.index(line.first, column)];  // all of its pixels have it
     }
+  }
 }
 
+// Calls visit(plane, number, segment) in the order of clustering.
 template <typename Visit>
-void MetricPipeline::forEachLabelled(const Visit& visit) const {
+void MetricPipeline::forEachSegment(const Visit& visit) const {
   std::size_t next = 0;
   for (std::size_t column = 0; column < line_segments_.size(); ++column)
-    for (const auto& segment : line_segments_[column].segments) {
-      const int plane = plane_clustering_.labels()[next++];
-      if (plane != PlaneClustering::kUnlabelled)
-        visit(static_cast<std::size_t>(plane), static_cast<int>(column), line_segments_[column], segment);
-    }
+    for (std::size_t k = 0; k < line_segments_[column].size(); ++k)
+      visit(plane_clustering_.labels()[next++], numberOf(static_cast<int>(column), k), line_segments_[column][k]);
 }
 
 }  // namespace epcc

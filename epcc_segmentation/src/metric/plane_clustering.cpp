@@ -2,17 +2,19 @@
 // Algorithm 2 of the paper, one function a step.
 #include "metric/plane_clustering.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "metric/segment_distance.h"
+#include "metric/smallest_eigenvector.h"
 
 namespace epcc {
 
 namespace {
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr double kBeyond = 1.0 + 1e-9;     // a cost that is larger than the limit, whatever the rounding
 constexpr double kMinMeanDistance = 1e-6;  // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
 
 // Eq. 26 of an endpoint at `ratio` times the mean distance.
@@ -43,10 +45,22 @@ void PlanePrototype::add(const Eigen::Vector3d& endpoint, EndpointWeight form) {
 }
 
 void PlanePrototype::refit() {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(statistics.covariance);
-  normal = solver.eigenvectors().col(0);
+  // Eq. 25 shrinks the covariance by (k - 2)/(k - 1) and adds what has no negative eigenvalue; a little less, for the
+  // variance was rounded.
+  const double shrunk = (fitted - 1.0) / (statistics.n - 1.0);
+  normal = smallestEigenvector(statistics.covariance, fitted > 1 ? 0.999 * shrunk * variance : 0.0);
   variance = varianceAlong(statistics.covariance, normal);
+  fitted = statistics.n;
+}
+
+void PlaneClustering::configure(const PaperParameters& parameters, const SensorModel& sensor) {
+  parameters_ = parameters;
+  sensor_ = sensor;
+  const PlaneCriterion form = parameters.criterion;
+  with_sensor_ = form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSensor ? 1.0 : 0.0;
+  with_segment_ =
+      form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSegment ? 1.0 : 0.0;
+  smallest_cosine_ = std::cos(parameters.expert.planes.max_start_angle * M_PI / 180.0);
 }
 
 void PlaneClustering::begin(Projection projection) {
@@ -55,6 +69,7 @@ void PlaneClustering::begin(Projection projection) {
   labels_.clear();
   lines_.clear();
   planes_.clear();
+  last_refused_.clear();
 }
 
 void PlaneClustering::addLine(const std::vector<ClusteredLine>& line_segments) {
@@ -62,6 +77,7 @@ void PlaneClustering::addLine(const std::vector<ClusteredLine>& line_segments) {
   lines_.push_back({segments_.size(), segments_.size() + line_segments.size()});
   for (const auto& line_segment : line_segments) segments_.push_back(makeSegment(line_segment));
   labels_.resize(segments_.size(), kUnlabelled);
+  std::fill(last_refused_.begin(), last_refused_.end(), nullptr);  // the segments may have moved
 
   for (std::size_t i = lines_[line].begin; i < lines_[line].end; ++i) {
     const int plane = bestPlane(segments_[i], line);
@@ -90,34 +106,45 @@ PlaneClustering::Segment PlaneClustering::makeSegment(const ClusteredLine& line_
   const double depth_b = depth(segment.b);
   segment.ray_a = segment.a / depth_a;
   segment.ray_b = segment.b / depth_b;
-  const double sigma_a = sensor_.sigmaZ(depth_a);
-  const double sigma_b = sensor_.sigmaZ(depth_b);
-  segment.sensor_variance_a = sigma_a * sigma_a;
-  segment.sensor_variance_b = sigma_b * sigma_b;
+  segment.sensor_variance_a = sensor_.varianceZ(depth_a);
+  segment.sensor_variance_b = sensor_.varianceZ(depth_b);
+  segment.low = std::min(segment.a.y(), segment.b.y());
+  segment.high = std::max(segment.a.y(), segment.b.y());
   segment.variance = line_segment.prototype.variance;
   segment.reach = parameters_.max_gap + sensor_.sigmaZ(0.5 * (depth_a + depth_b));
   return segment;
 }
 
-// Eq. 23 with the variances of Table 2; the larger of the two endpoints decides.
-double PlaneClustering::cost(const PlanePrototype& plane, const Segment& segment) const {
-  const PlaneCriterion form = parameters_.criterion;
-  const bool with_sensor = form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSensor;
-  const bool with_segment = form == PlaneCriterion::PrototypeSensorSegment || form == PlaneCriterion::PrototypeSegment;
+// Eq. 23 with the variances of Table 2; the larger of the two endpoints decides. `limit` or more where it is not below.
+double PlaneClustering::cost(const PlanePrototype& plane, const Segment& segment, double limit) const {
   const auto endpoint_cost = [&](const Eigen::Vector3d& h, const Eigen::Vector3d& ray, double sensor_variance) {
     const double d = plane.distance(h);
     const double q = plane.normal.dot(ray);
-    double variance = plane.variance;
-    if (with_sensor) variance += sensor_variance * q * q;
-    if (with_segment) variance += segment.variance;
-    return d * d / std::max(variance, 1e-18);
+    const double variance =
+        std::max(plane.variance + with_sensor_ * sensor_variance * q * q + with_segment_ * segment.variance, 1e-18);
+    // Most are far beyond: the division is for those that are not.
+    return d * d > kBeyond * limit * variance ? limit : d * d / variance;
   };
-  return std::max(endpoint_cost(segment.a, segment.ray_a, segment.sensor_variance_a),
-                  endpoint_cost(segment.b, segment.ray_b, segment.sensor_variance_b));
+  const double cost_a = endpoint_cost(segment.a, segment.ray_a, segment.sensor_variance_a);
+  if (cost_a >= limit) return limit;
+  return std::max(cost_a, endpoint_cost(segment.b, segment.ray_b, segment.sensor_variance_b));
+}
+
+// Segments that lie apart along the scan lines alone by more than Eq. 27 allows.
+bool PlaneClustering::isBeyondReach(const Segment& segment, const Segment& neighbour) {
+  const double gap = std::max(neighbour.low - segment.high, segment.low - neighbour.high);
+  return gap > kBeyond * segment.reach;
+}
+
+// Eq. 27. Segments of neighbouring lines mostly begin or end side by side, which says enough.
+bool PlaneClustering::isWithinReach(const Segment& segment, const Segment& neighbour) {
+  const double limit = segment.reach * segment.reach;
+  const double at_ends = std::min((segment.a - neighbour.a).squaredNorm(), (segment.b - neighbour.b).squaredNorm());
+  return kBeyond * at_ends <= limit || squaredSegmentDistance(segment.a, segment.b, neighbour.a, neighbour.b) <= limit;
 }
 
 // Labelled segments of the nearest earlier scan line that has one that fits; the best cost wins.
-int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
+int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) {
   const double limit = parameters_.plane_k_max * parameters_.plane_k_max;
   const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.expert.planes.look_back));
   for (std::size_t back = 1; back <= look_back; ++back) {
@@ -125,12 +152,13 @@ int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
     double best_cost = limit;
     int best = kUnlabelled;
     for (std::size_t j = previous.begin; j < previous.end; ++j) {
-      if (labels_[j] == kUnlabelled) continue;
-      const double c = cost(planes_[static_cast<std::size_t>(labels_[j])], segment);
+      if (labels_[j] == kUnlabelled || isBeyondReach(segment, segments_[j])) continue;
+      const auto plane = static_cast<std::size_t>(labels_[j]);
+      if (last_refused_[plane] == &segment) continue;  // by another of its segments
+      const double c = cost(planes_[plane], segment, best_cost);
+      if (c >= limit) last_refused_[plane] = &segment;
       if (c >= best_cost) continue;
-      const Segment& neighbour = segments_[j];
-      if (squaredSegmentDistance(segment.a, segment.b, neighbour.a, neighbour.b) > segment.reach * segment.reach)
-        continue;
+      if (!isWithinReach(segment, segments_[j])) continue;
       best_cost = c;
       best = labels_[j];
     }
@@ -141,7 +169,6 @@ int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) const {
 
 // The unlabelled earlier segment that is most nearly coplanar with this one.
 std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t line) const {
-  const double smallest_cosine = std::cos(parameters_.expert.planes.max_start_angle * M_PI / 180.0);
   const Eigen::Vector3d direction = (segment.b - segment.a).normalized();
   const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.expert.planes.pair_look_back));
   double best_ratio = 0.25 * parameters_.plane_k_max * parameters_.plane_k_max;
@@ -149,16 +176,16 @@ std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t li
   for (std::size_t back = 1; back <= look_back; ++back) {
     const Line& previous = lines_[line - back];
     for (std::size_t j = previous.begin; j < previous.end; ++j) {
-      if (labels_[j] != kUnlabelled) continue;
+      if (labels_[j] != kUnlabelled || isBeyondReach(segment, segments_[j])) continue;
       const Segment& partner = segments_[j];
       const Eigen::Vector3d partner_vector = partner.b - partner.a;
-      if (std::abs(direction.dot(partner_vector.normalized())) < smallest_cosine) continue;
+      if (std::abs(direction.dot(partner_vector.normalized())) < smallest_cosine_) continue;
       const Eigen::Vector3d normal = partner_vector.cross(segment.a - partner.a).normalized();
       const double d = (segment.b - partner.a).dot(normal);
       const double q = normal.dot(segment.ray_b);
       const double ratio = d * d / std::max(segment.sensor_variance_b * q * q + segment.variance, 1e-18);
       if (ratio > best_ratio || (best != kNone && ratio >= best_ratio)) continue;
-      if (squaredSegmentDistance(segment.a, segment.b, partner.a, partner.b) > segment.reach * segment.reach) continue;
+      if (!isWithinReach(segment, partner)) continue;
       best_ratio = ratio;
       best = j;
     }
@@ -185,6 +212,7 @@ void PlaneClustering::startPlane(std::size_t first, std::size_t second) {
   prototype.refit();
   prototype.segments = 2;
   planes_.push_back(prototype);
+  last_refused_.push_back(nullptr);
 }
 
 }  // namespace epcc

@@ -8,7 +8,7 @@
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
-#include "metric/line_clustering.h"
+#include "metric/clustered_line.h"
 #include "metric/recursive_statistics.h"
 
 namespace epcc {
@@ -19,6 +19,7 @@ struct PlanePrototype {
   double variance = 0.0;       ///< sigma_j^2 = smallest eigenvalue of Sigma_j
   double mean_distance = 0.0;  ///< mu_jd of Eq. 26, running mean of the endpoints' distances
   int distances = 0;
+  int fitted = 0;  ///< samples at the last refit()
   int segments = 0;
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
 
@@ -34,12 +35,10 @@ class PlaneClustering {
  public:
   static constexpr int kUnlabelled = -1;
 
-  PlaneClustering(const PaperParameters& parameters, const SensorModel& sensor)
-      : parameters_(parameters), sensor_(sensor) {}
-  void configure(const PaperParameters& parameters, const SensorModel& sensor) {
-    parameters_ = parameters;
-    sensor_ = sensor;
+  PlaneClustering(const PaperParameters& parameters, const SensorModel& sensor) : sensor_(sensor) {
+    configure(parameters, sensor);
   }
+  void configure(const PaperParameters& parameters, const SensorModel& sensor);
 
   /// Forgets everything; `projection` is that of the lines to come.
   void begin(Projection projection);
@@ -57,6 +56,7 @@ class PlaneClustering {
     Eigen::Vector3d a, b;
     Eigen::Vector3d ray_a, ray_b;                 // endpoint / measured depth
     double sensor_variance_a, sensor_variance_b;  // sigma_z^2 at the endpoints
+    double low, high;                             // along the scan line
     double variance;                              // sigma_seg^2
     double reach;                                 // d_1 + sigma_z, Eq. 27
   };
@@ -65,19 +65,25 @@ class PlaneClustering {
   };
 
   Segment makeSegment(const ClusteredLine& line_segment) const;
-  double cost(const PlanePrototype& plane, const Segment& segment) const;
-  int bestPlane(const Segment& segment, std::size_t line) const;
+  double cost(const PlanePrototype& plane, const Segment& segment, double limit) const;
+  static bool isWithinReach(const Segment& segment, const Segment& neighbour);
+  static bool isBeyondReach(const Segment& segment, const Segment& neighbour);
+  int bestPlane(const Segment& segment, std::size_t line);
   std::size_t startPartner(const Segment& segment, std::size_t line) const;
   void addToPlane(int plane, const Segment& segment);
   void startPlane(std::size_t first, std::size_t second);
 
   PaperParameters parameters_;
   SensorModel sensor_;
+  double with_sensor_ = 1.0;   // sigma_z^2 counts in Eq. 23
+  double with_segment_ = 1.0;  // sigma_seg^2 does
+  double smallest_cosine_ = 0.0;
   Projection projection_ = Projection::Perspective;
   std::vector<Segment> segments_;
   std::vector<int> labels_;
   std::vector<Line> lines_;
   std::vector<PlanePrototype> planes_;
+  std::vector<const Segment*> last_refused_;  // of each plane, by Eq. 23
 };
 
 }  // namespace epcc

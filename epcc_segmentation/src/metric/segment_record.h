@@ -4,7 +4,7 @@
 
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/line_segment.h"
-#include "metric/line_clustering.h"
+#include "metric/clustered_line.h"
 
 namespace epcc {
 

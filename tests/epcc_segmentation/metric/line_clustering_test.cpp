@@ -4,39 +4,80 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <random>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "metric/clustered_line.h"
 
 namespace {
 
-using epcc::ClusteredLines;
+using epcc::LineRecord;
+using epcc::LineRule;
 using epcc::PaperParameters;
-using epcc::ScanLine;
 using epcc::SensorModel;
 
 constexpr int kSize = 200;
+constexpr int kLine = 5;  // of a strip; the others are not measured
 
 double verticalRay(int row) {
   return (row - 0.5 * (kSize - 1)) / kSize;
 }
 
-/// The middle column of a camera that sees the depth profile z(row); depth 0 is a hole.
-ScanLine profile(const std::function<double(int)>& z, const SensorModel& sensor) {
-  ScanLine line;
-  for (int row = 0; row < kSize; ++row) {
-    const double depth = z(row);
-    if (depth <= 0.0) continue;
-    const Eigen::Vector2d t(depth, depth * verticalRay(row));
-    const double sigma = sensor.sigmaZ(depth);
-    line.samples.push_back({t, t / depth, sigma * sigma, row});
-  }
-  return line;
+/// Depths of the middle column of a camera that sees the depth profile z(row); depth 0 is a hole.
+using Profile = std::array<float, kSize>;
+Profile profile(const std::function<double(int)>& z) {
+  Profile result{};
+  for (int row = 0; row < kSize; ++row) result[static_cast<std::size_t>(row)] = static_cast<float>(z(row));
+  return result;
 }
 
-ClusteredLines cluster(const ScanLine& line, const PaperParameters& parameters = {}) {
-  epcc::LineClustering clustering(parameters);
-  ClusteredLines result;
-  clustering.cluster(line, result);
+struct Segments {
+  std::vector<LineRecord> segments;
+  std::vector<int> members;  // rows that have a number
+  std::vector<int> places;   // their segments
+  int countOf(std::size_t segment) const {
+    return static_cast<int>(std::count(places.begin(), places.end(), static_cast<int>(segment)));
+  }
+};
+
+Segments cluster(const Profile& depth, const SensorModel& sensor, const PaperParameters& parameters = {}) {
+  std::vector<float> z(kSize * epcc::kStripLines, 0.0f);
+  for (int row = 0; row < kSize; ++row)
+    z[static_cast<std::size_t>(row * epcc::kStripLines + kLine)] = depth[static_cast<std::size_t>(row)];
+  const std::vector<float> secant(epcc::kStripLines, 1.0f);
+  std::vector<float> along;
+  for (int row = 0; row < kSize; ++row) along.push_back(static_cast<float>(verticalRay(row)));
+  epcc::ScanStrip strip;
+  strip.height = kSize;
+  strip.stride = epcc::kStripLines;
+  strip.z = z.data();
+  strip.secant = secant.data();
+  strip.along = along.data();
+  constexpr int kCapacity = kSize;
+  std::vector<LineRecord> records(kCapacity * epcc::kStripLines);
+  std::vector<std::int32_t> numbers(z.size());
+  epcc::StripSegments found;
+  found.capacity = kCapacity;
+  found.records = records.data();
+  found.numbers = numbers.data();
+  found.number_stride = epcc::kStripLines;
+  epcc::LineWorkspace workspace;
+  epcc::clusterLines(strip, LineRule(parameters, sensor), workspace, found);
+  Segments result;
+  for (int k = 0; k < found.count[kLine]; ++k)
+    result.segments.push_back(records[static_cast<std::size_t>(kLine * kCapacity + k)]);
+  for (int row = 0; row < kSize; ++row) {
+    const std::int32_t number = numbers[static_cast<std::size_t>(row * epcc::kStripLines + kLine)];
+    if (number == 0) continue;
+    result.members.push_back(row);
+    result.places.push_back((number - found.first_number - kLine) / epcc::kStripLines);
+  }
   return result;
 }
 
@@ -48,36 +89,38 @@ double slanted(int row, double offset, double slope) {
 const SensorModel kSensor = SensorModel::axial(0.002, 0.0);
 
 TEST(LineClustering, AnExactLineIsOneSegmentThroughAllSamples) {
-  const auto segments = cluster(profile([](int row) { return slanted(row, 2.0, 0.4); }, kSensor));
+  const auto segments = cluster(profile([](int row) { return slanted(row, 2.0, 0.4); }), kSensor);
   ASSERT_EQ(segments.segments.size(), 1u);
   const auto& s = segments.segments[0];
   EXPECT_EQ(s.first, 0);
   EXPECT_EQ(s.last, kSize - 1);
-  EXPECT_EQ(s.member_end - s.member_begin, kSize);
-  EXPECT_NEAR(s.prototype.variance, 0.0, 1e-15);
+  EXPECT_EQ(segments.countOf(0), kSize);
+  EXPECT_EQ(s.n, static_cast<float>(kSize));
+  EXPECT_NEAR(s.residuals / (s.n - 1.0f), 0.0f, 1e-13f);  // depths are rounded to 1e-7 of themselves
   // Normal of t1 - 0.4 t2 = 2.
   const Eigen::Vector2d normal = Eigen::Vector2d(1.0, -0.4).normalized();
-  EXPECT_NEAR(std::abs(s.prototype.normal.dot(normal)), 1.0, 1e-12);
-  EXPECT_NEAR((s.a - Eigen::Vector3d(0.0, s.start.y(), s.start.x())).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(Eigen::Vector2d(s.normal[0], s.normal[1]).normalized().dot(normal)), 1.0, 1e-12);
+  EXPECT_EQ(s.first_sample[1], s.first_sample[0] * static_cast<float>(verticalRay(0)));
+  EXPECT_EQ(s.last_sample[1], s.last_sample[0] * static_cast<float>(verticalRay(kSize - 1)));
 }
 
 TEST(LineClustering, TwoSlopesMeetAtTheirCorner) {
   const auto segments =
-      cluster(profile([](int row) { return row < 100 ? slanted(row, 2.0, 0.6) : slanted(row, 2.0, -0.6); }, kSensor));
+      cluster(profile([](int row) { return row < 100 ? slanted(row, 2.0, 0.6) : slanted(row, 2.0, -0.6); }), kSensor);
   ASSERT_EQ(segments.segments.size(), 2u);
   EXPECT_NEAR(segments.segments[0].last, 99, 4);
   EXPECT_NEAR(segments.segments[1].first, 100, 4);
 }
 
 TEST(LineClustering, AStepSplitsTheLineAtItsPixel) {
-  const auto segments = cluster(profile([](int row) { return row < 80 ? 2.0 : 2.1; }, kSensor));
+  const auto segments = cluster(profile([](int row) { return row < 80 ? 2.0 : 2.1; }), kSensor);
   ASSERT_EQ(segments.segments.size(), 2u);
   EXPECT_EQ(segments.segments[0].last, 79);
   EXPECT_EQ(segments.segments[1].first, 80);
 }
 
 TEST(LineClustering, AStepBelowTheNoiseDoesNotSplit) {
-  const auto segments = cluster(profile([](int row) { return row < 80 ? 2.0 : 2.001; }, kSensor));
+  const auto segments = cluster(profile([](int row) { return row < 80 ? 2.0 : 2.001; }), kSensor);
   EXPECT_EQ(segments.segments.size(), 1u);
 }
 
@@ -87,9 +130,9 @@ TEST(LineClustering, WhiteSensorNoiseLeavesTheLineWhole) {
     std::mt19937 generator(seed);
     std::normal_distribution<double> normal(0.0, 0.002);
     const auto segments =
-        cluster(profile([&](int row) { return slanted(row, 2.0, 0.3) + normal(generator); }, kSensor));
+        cluster(profile([&](int row) { return slanted(row, 2.0, 0.3) + normal(generator); }), kSensor);
     long members = 0;
-    for (const auto& s : segments.segments) members += s.member_end - s.member_begin;
+    for (const auto& s : segments.segments) members += static_cast<long>(s.n);
     EXPECT_GT(members, 0.9 * kSize) << "seed " << seed;
     one_segment += segments.segments.size() == 1 ? 1 : 0;
   }
@@ -99,33 +142,31 @@ TEST(LineClustering, WhiteSensorNoiseLeavesTheLineWhole) {
 TEST(LineClustering, OutliersAreLeftOutAndDoNotSplit) {
   const auto is_outlier = [](int row) { return row % 17 == 5 || (row >= 60 && row < 65); };
   const auto segments =
-      cluster(profile([&](int row) { return is_outlier(row) ? 1.0 + 0.03 * (row % 7) : 2.0; }, kSensor));
+      cluster(profile([&](int row) { return is_outlier(row) ? 1.0 + 0.03 * (row % 7) : 2.0; }), kSensor);
   ASSERT_EQ(segments.segments.size(), 1u);
   for (const int row : segments.members) EXPECT_FALSE(is_outlier(row)) << row;
 }
 
 TEST(LineClustering, HolesEndNothing) {
-  const auto segments = cluster(profile([](int row) { return row >= 50 && row < 120 ? 0.0 : 2.0; }, kSensor));
+  const auto segments = cluster(profile([](int row) { return row >= 50 && row < 120 ? 0.0 : 2.0; }), kSensor);
   ASSERT_EQ(segments.segments.size(), 1u);
   EXPECT_EQ(segments.segments[0].last, kSize - 1);
 }
 
 TEST(LineClustering, FewerSamplesThanKMinGiveNoSegment) {
-  const auto short_line = [](int count) {
-    return profile([count](int row) { return row < count ? 2.0 : 0.0; }, kSensor);
-  };
-  EXPECT_TRUE(cluster(ScanLine()).segments.empty());
-  EXPECT_TRUE(cluster(short_line(7)).segments.empty());
-  EXPECT_EQ(cluster(short_line(8)).segments.size(), 1u);
+  const auto short_line = [](int count) { return profile([count](int row) { return row < count ? 2.0 : 0.0; }); };
+  EXPECT_TRUE(cluster(Profile{}, kSensor).segments.empty());
+  EXPECT_TRUE(cluster(short_line(7), kSensor).segments.empty());
+  EXPECT_EQ(cluster(short_line(8), kSensor).segments.size(), 1u);
 }
 
 TEST(LineClustering, WithoutTheNoiseModelNoisyDataLosesCoverage) {  // Figs. 12, 13
   std::mt19937 generator(3);
   std::normal_distribution<double> normal(0.0, 0.002);
-  const ScanLine line = profile([&](int) { return 2.0 + normal(generator); }, kSensor);
+  const Profile line = profile([&](int) { return 2.0 + normal(generator); });
   PaperParameters without;
   without.expert.lines.use_sensor_noise = false;
-  EXPECT_LT(cluster(line, without).members.size(), cluster(line).members.size());
+  EXPECT_LT(cluster(line, kSensor, without).members.size(), cluster(line, kSensor).members.size());
 }
 
 TEST(LineClustering, SegmentsKeepTheOrderOfTheScanAndNeverShareAPixel) {
@@ -133,43 +174,57 @@ TEST(LineClustering, SegmentsKeepTheOrderOfTheScanAndNeverShareAPixel) {
   std::uniform_real_distribution<double> uniform(0.5, 4.0);
   for (int trial = 0; trial < 50; ++trial) {
     double level = 1.0;
-    const auto segments = cluster(profile(
-        [&](int row) {
-          if (row % 23 == 0) level = uniform(generator);
-          return row % 5 == 0 ? uniform(generator) : level;
-        },
-        kSensor));
+    const auto segments = cluster(profile([&](int row) {
+                                    if (row % 23 == 0) level = uniform(generator);
+                                    return row % 5 == 0 ? uniform(generator) : level;
+                                  }),
+                                  kSensor);
     int last = -1;
-    for (const int row : segments.members) {
-      ASSERT_GT(row, last);
-      last = row;
+    for (const auto& segment : segments.segments) {
+      ASSERT_GT(segment.first, last);
+      last = segment.last;
     }
-    for (const auto& s : segments.segments) ASSERT_GE(s.member_end - s.member_begin, 8);
+    ASSERT_TRUE(std::is_sorted(segments.places.begin(), segments.places.end()));
+    for (std::size_t k = 0; k < segments.segments.size(); ++k) {
+      ASSERT_GE(segments.segments[k].n, 8.0f);
+      ASSERT_EQ(segments.countOf(k), static_cast<int>(segments.segments[k].n));
+    }
   }
 }
 
-TEST(LineClustering, FeedingSampleBySampleGivesTheSameSegments) {
-  const ScanLine line = profile([](int row) { return row < 80 ? 2.0 : 2.0 + 0.01 * row; }, kSensor);
-  const auto whole = cluster(line);
-  epcc::LineClustering clustering{PaperParameters()};
-  ClusteredLines stream;
-  clustering.begin(stream);
-  for (const auto& sample : line.samples) clustering.add(sample);
-  clustering.finish();
-  ASSERT_EQ(stream.segments.size(), whole.segments.size());
-  EXPECT_EQ(stream.members, whole.members);
-  for (std::size_t i = 0; i < whole.segments.size(); ++i) EXPECT_EQ(stream.segments[i].start, whole.segments[i].start);
-}
-
-TEST(LineClustering, EndpointsLieOnThePrototype) {
-  std::mt19937 generator(5);
+TEST(LineClustering, StatisticsAndResidualVarianceFollowTheirEquations) {
+  std::mt19937 generator(7);
   std::normal_distribution<double> normal(0.0, 0.002);
-  const auto segments = cluster(profile([&](int row) { return slanted(row, 2.0, 0.3) + normal(generator); }, kSensor));
-  ASSERT_FALSE(segments.segments.empty());
-  for (const auto& s : segments.segments) {
-    EXPECT_NEAR(s.prototype.distance(s.start), 0.0, 1e-12);
-    EXPECT_NEAR(s.prototype.distance(s.end), 0.0, 1e-12);
+  const Profile depth = profile([&](int row) { return slanted(row, 2.0, 0.3) + normal(generator); });
+  const auto found = cluster(depth, kSensor);
+  ASSERT_FALSE(found.segments.empty());
+  const LineRecord& segment = found.segments[0];
+  // Eqs. 11 to 13 as printed, in double precision; the first k_min samples are fitted.
+  epcc::LinePrototype prototype;
+  const auto turn = [&] { prototype.normal = epcc::smallestEigenvector(prototype.statistics.covariance); };
+  for (std::size_t i = 0; i < found.members.size() && found.places[i] == 0; ++i) {
+    const int row = found.members[i];
+    const double z = static_cast<double>(depth[static_cast<std::size_t>(row)]);
+    const Eigen::Vector2d t(z, z * verticalRay(row));
+    const double d = prototype.distance(t);
+    prototype.statistics.add(t);
+    const double n = prototype.statistics.n;
+    if (n >= 8) turn();
+    if (n == 8) prototype.resetVariance();
+    if (n > 8) prototype.variance = (n - 2.0) / (n - 1.0) * prototype.variance + d * d / n;
   }
+  const double n = prototype.statistics.n;
+  ASSERT_EQ(segment.n, static_cast<float>(n));
+  EXPECT_GT(n, 100.0);
+  EXPECT_NEAR(segment.mean[0], prototype.statistics.mean.x(), 2e-6);
+  EXPECT_NEAR(segment.mean[1], prototype.statistics.mean.y(), 2e-6);
+  const Eigen::Matrix2d& covariance = prototype.statistics.covariance;
+  EXPECT_NEAR(segment.scatter[0] / (n - 1.0), covariance(0, 0), 1e-5 * covariance(1, 1));
+  EXPECT_NEAR(segment.scatter[1] / (n - 1.0), covariance(1, 1), 1e-5 * covariance(1, 1));
+  EXPECT_NEAR(segment.scatter[2] / (n - 1.0), covariance(0, 1), 1e-5 * covariance(1, 1));
+  EXPECT_NEAR(segment.residuals / (n - 1.0), prototype.variance, 1e-3 * prototype.variance);
+  // The recursion of the residuals ends near the noise it was fed.
+  EXPECT_NEAR(std::sqrt(prototype.variance), 0.002, 0.0006);
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "metric/line_clustering.h"
-
 namespace {
 
 using epcc::RecursiveStatistics;
@@ -57,24 +55,6 @@ TEST(RecursiveStatistics, WeightScalesOnlyTheNewSampleOfTheCovariance) {
   EXPECT_NEAR(weighted.covariance(0, 0), 1.0, 1e-12);
   EXPECT_NEAR(weighted.covariance(1, 1), 1.5, 1e-12);
   EXPECT_NEAR(weighted.mean.y(), 1.0, 1e-12);
-}
-
-TEST(LinePrototype, ResidualVarianceFollowsEquation11) {
-  std::mt19937 generator(7);
-  std::normal_distribution<double> normal(0.0, 0.01);
-  epcc::LinePrototype prototype;
-  for (int i = 0; i < 3; ++i) prototype.fit({1.0 + normal(generator), 0.1 * i});
-  prototype.resetVariance();
-  for (int n = 4; n < 100; ++n) {
-    const Eigen::Vector2d t(1.0 + normal(generator), 0.1 * n);
-    const double d = (t - prototype.statistics.mean).dot(prototype.normal);
-    const double expected = (n - 2.0) / (n - 1.0) * prototype.variance + d * d / n;
-    prototype.update(t);
-    ASSERT_NEAR(prototype.variance, expected, 1e-15);
-    ASSERT_EQ(prototype.statistics.n, n);
-  }
-  // The recursion of the residuals ends near the noise it was fed.
-  EXPECT_NEAR(std::sqrt(prototype.variance), 0.01, 0.003);
 }
 
 TEST(SmallestEigenvector, AgreesWithAnEigensolverEverywhere) {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fit of planes with its memory, from every pixel or from a grid of them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/plane_segmentation.h"
+#include "epcc_segmentation/sensor_model.h"
+#include "label_sums.h"
+
+namespace epcc {
+
+/// The pixels that planes are fitted to: rows and columns offset + stride * i.
+struct FitSamples {
+  int stride = 1;
+  int offset = 0;
+};
+
+/// fitPlanes() for a stream of frames. The result does not depend on the number of threads.
+class PlaneFitter {
+ public:
+  /// As fitPlanes(). With a stride the sums come from the samples alone, of a plane with too few of them from all of
+  /// its pixels; every labelled pixel counts in pixel_count, where without a stride those that are not measured do not.
+  bool fit(const DepthFrame& frame, const SensorModel& sensor, int plane_count, const FitSamples& samples, int threads,
+           PlaneSegmentation& segmentation);
+  /// For the next fit: the depths of all labelled pixels of the image, which has been read before, in rows of `stride`.
+  void lendDepth(const float* depth, std::size_t stride) {
+    depth_ = depth;
+    depth_stride_ = stride;
+  }
+
+ private:
+  /// Memory of one of the bands of rows that are summed on their own, then joined in order.
+  struct Band {
+    std::vector<LabelSums> sums;
+    std::vector<long> pixels;
+    bool has_strays = false;
+    std::vector<float> points;  // of a row: x, y, z
+    std::vector<std::int32_t> labels;
+    std::vector<double> across;
+  };
+  /// Adds the samples of the rows offset + stride * [begin, end), of the labels in only_ if that is not empty.
+  void sumBand(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples,
+               const std::vector<std::int32_t>& labels, int begin, int end, Band& band) const;
+  void sumAll(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples, int threads,
+              const std::vector<std::int32_t>& labels);
+  void countPixels(const DepthFrame& image, int threads, const std::vector<std::int32_t>& labels);
+  void fillSparsePlanes(const DepthFrame& image, const SensorVariance& variance, int threads,
+                        const std::vector<std::int32_t>& labels);
+  double samplesOf(std::size_t plane) const;
+  void listPlanes(const SensorModel& sensor, const FitSamples& samples, std::vector<Plane>& planes);
+  void renumber(int threads, std::vector<std::int32_t>& labels) const;
+
+  std::int32_t plane_count_ = 0;
+  const float* depth_ = nullptr;
+  std::size_t depth_stride_ = 0;
+  std::vector<double> across_;  // u of the image's columns
+  std::vector<Band> bands_;
+  std::vector<char> only_;       // by label
+  std::vector<char> is_sparse_;  // by plane: fitted to all of its pixels
+  std::vector<long> pixels_;
+  std::vector<std::size_t> order_;
+  std::vector<std::int32_t> new_label_;
+};
+
+}  // namespace epcc
