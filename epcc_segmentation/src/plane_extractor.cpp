@@ -91,9 +91,11 @@ void PlaneExtractor::setSensorAuto() {
 bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result) try {
   if (!check(frame, result)) return false;
   if (!workspace_) workspace_ = std::make_unique<Workspace>(parameters_, sensor_);  // it was moved away
-  const int count = parameters_.mode == Mode::Paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
+  const bool paper = parameters_.mode == Mode::Paper;
+  const int count = paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
+  const FitSamples samples = paper ? FitSamples() : workspace_->inverse_depth.fitSamples();
   StopWatch watch;
-  workspace_->fitter.fit(frame, sensor_, count, FitSamples(), parameters_.threads, result);
+  workspace_->fitter.fit(frame, sensor_, count, samples, parameters_.threads, result);
   if (parameters_.line_segments) listSegments(frame, result);
   times_.result += watch.lap();
   return true;

@@ -107,6 +107,11 @@ void InverseDepthPipeline::labelPixels() {
                          parameters_.threads, pixel_labels_);
 }
 
+FitSamples InverseDepthPipeline::fitSamples() const {
+  if (sensor_.correlationLength() < stride_) return FitSamples();
+  return {stride_, stride_ / 2};
+}
+
 void InverseDepthPipeline::listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,
                                         std::vector<LineSegment>& segments) const {
   const auto width = static_cast<std::size_t>(image_->width);

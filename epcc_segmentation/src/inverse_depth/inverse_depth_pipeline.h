@@ -17,6 +17,7 @@
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/region_contacts.h"
 #include "inverse_depth/region_map.h"
+#include "plane_fit_samples.h"
 #include "inverse_depth/region_merging.h"
 
 namespace epcc {
@@ -43,6 +44,8 @@ class InverseDepthPipeline {
 
   /// Row-major labels, 0 or index into the regions + 1; some regions may be empty. They are the caller's to take away.
   std::vector<std::int32_t>& labels() { return stride_ > 1 ? pixel_labels_ : map_.labels; }
+  /// The pixels that tell where the planes lie: the samples, if the error of the others is no other.
+  FitSamples fitSamples() const;
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
   /// The line segments of S1, columns first. `frame` is the one that was read, `labels` the final ones, in the order of
   /// the caller's arrays.
