@@ -97,7 +97,7 @@ FrameOf facetFrame(int width, int height, int k) {
       const double v = (row - (tile_row + 0.5) * height / k) / camera.fy;
       return std::max(0.1, facet.w + facet.along_u * u + facet.along_v * v);
     });
-    return withNoise(std::move(data), 1.0);
+    return withNoise(std::move(data), 0.25);  // small facets drown in more
   });
 }
 
