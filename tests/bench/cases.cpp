@@ -105,7 +105,7 @@ void addCurves(int width, int height) {
     addExtraction(std::string("Noise/") + name, renderedFrame(width, height, "b", factor), defaultMode());
   for (const char* scene : {"a", "b", "c", "d"})
     addExtraction(std::string("Scene/") + scene, renderedFrame(width, height, scene), defaultMode());
-  for (const int k : {2, 4, 8, 16})
+  for (const int k : {2, 4, 6, 8})
     addExtraction("Scene/facets-" + std::to_string(k * k), facetFrame(width, height, k), defaultMode());
   for (const int percent : {10, 30, 60})
     addExtraction("Scene/clutter-" + std::to_string(percent), clutterFrame(width, height, percent), defaultMode());
