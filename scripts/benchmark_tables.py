@@ -71,8 +71,14 @@ def with_stages(cases, keys):
     return table(["ms"] + STAGES + ["frame", "planes found"], rows)
 
 
+def natural(key):
+    """Sorts numbers by their value; the cases may have been run in any order."""
+    return [[float(part) if re.fullmatch(r"[\d.]+", part) else 0.0, part] for text in key
+            for part in re.findall(r"\d+(?:\.\d+)?|\D+", text)]
+
+
 def variants(cases, kind):
-    return [method for method, _ in dict.fromkeys(cases) if re.search(rf"/{kind}", method)]
+    return sorted({method for method, _ in cases if re.search(rf"/{kind}", method)}, key=lambda method: natural([method]))
 
 
 def all_tables(cases, printed):
@@ -81,11 +87,10 @@ def all_tables(cases, printed):
     ratios = re.search(r"^Ratios of the times.*", printed, re.M | re.S)
     return {
         "sizes": by_size(cases, methods),
-        "variants": by_size(cases, list(dict.fromkeys(variants(cases, "uint16") + variants(cases, "stride:")
-                                                      + variants(cases, "unit:")))),
+        "variants": by_size(cases, variants(cases, "uint16") + variants(cases, "stride:") + variants(cases, "unit:")),
         "profile": with_stages(cases, [(method, place) for place in ("640x480", "1920x1080")
                                        for method in ("Default", "Paper", "Auto", "AutoStream")]),
-        "curves": with_stages(cases, [key for key in cases if key[0] in ("Noise", "Scene")]),
+        "curves": with_stages(cases, sorted((key for key in cases if key[0] in ("Noise", "Scene")), key=natural)),
         "frames": with_stages(cases, frames),
         "ratios": ["```"] + [line.rstrip() for line in ratios.group().split("\n\n")[0].rstrip().splitlines()] + ["```"]
                   if ratios else None,

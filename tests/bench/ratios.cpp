@@ -92,7 +92,7 @@ void printMedians(const CaseTimes& times, std::ostream& out) {
   out << "\nMedian over the frames, ms\n";
   for (const auto& [method, values] : folder->second)
     out << "  " << std::left << std::setw(38) << method << std::right << std::setw(10) << std::fixed
-        << std::setprecision(2) << median(values) << "  of " << values.size() << '\n';
+        << std::setprecision(2) << median(values) << "  of " << values.size() << " runs\n";
 }
 
 }  // namespace

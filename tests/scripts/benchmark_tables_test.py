@@ -49,6 +49,14 @@ class Tables(unittest.TestCase):
         self.assertEqual(tables["frames"][2:], ["| `Default/frames` | 0.25 |  |  |  |  |  | 3.00 | 6 |",
                                                 "| `Default/threads:2/frames` |  |  |  |  |  |  | 0.50 |  |"])
 
+    def test_rows_are_in_order_whatever_ran_first(self):
+        tables = benchmark_tables.all_tables(
+            cases_of(*[case(f"Scene/{name}", 1.0) for name in ("facets-64", "facets-4", "facets-16", "b", "a")],
+                     *[case(f"Noise/{name}", 1.0) for name in ("x4", "x0.5", "x1")]), PRINTED)
+        names = [row.split("`")[1] for row in tables["curves"][2:]]
+        self.assertEqual(names, ["Noise/x0.5", "Noise/x1", "Noise/x4", "Scene/a", "Scene/b", "Scene/facets-4",
+                                 "Scene/facets-16", "Scene/facets-64"])
+
     def test_ratios_are_those_that_were_printed(self):
         tables = benchmark_tables.all_tables(cases_of(), PRINTED)
         self.assertEqual(tables["ratios"],
