@@ -8,13 +8,15 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 stage() { printf '==== %s (after %d s)\n' "$1" "$SECONDS"; }
 
 stage "Packages"
-scripts/install_packages.sh clang-format-14 shellcheck
+scripts/install_packages.sh clang-format-14 shellcheck valgrind
 stage "Format, scripts, floors"
 scripts/check_format.sh
 scripts/check_scripts.sh
 scripts/check_floors.sh
 stage "Build"
 scripts/build.sh release
+stage "Instructions a frame"
+scripts/check_speed.sh || (($? == 77)) # not on every processor
 stage "Tests of the core, the PCL class and the data sets under AddressSanitizer and UndefinedBehaviorSanitizer"
 scripts/sanitize.sh asan
 stage "Tests of all that has threads under ThreadSanitizer"

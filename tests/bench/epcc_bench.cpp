@@ -1,109 +1,113 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// epcc_bench: milliseconds a frame of both modes, the sensor estimation and PCL's organized multi-plane segmentation.
+// epcc_bench: milliseconds a frame of both modes, their variants, the PCL class, floors and PCL's own methods.
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
-#include <cstdint>
 #include <cstring>
+#include <exception>
 #include <iostream>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "baselines/registry.h"
-#include "epcc_segmentation/plane_extractor.h"
-#include "epcc_segmentation/sensor_estimation.h"
-#include "tests/bench/bench_frame.h"
+#include "epcc_segmentation/vector_unit.h"
+#include "tests/bench/cases.h"
+#include "tests/bench/ratios.h"
 
 namespace {
 
-using epcc::bench::BenchFrame;
-using epcc::bench::benchFrame;
+const char kHelp[] = R"(epcc_bench [--frames DIR] [Google Benchmark's options]
+Milliseconds a frame on rendered scenes, one thread unless the name says otherwise, and ratios of them.
 
-/// What no method can go below: every depth read, one label written a pixel.
-void floorOfTheFrame(benchmark::State& state, int width, int height) {
-  const std::vector<float>& depth = benchFrame(width, height).data.depth.data;
-  std::vector<std::int32_t> labels(depth.size());
-  for (auto _ : state) {
-    for (std::size_t i = 0; i < depth.size(); ++i) labels[i] = depth[i] > 0.0f ? 1 : 0;
-    benchmark::DoNotOptimize(labels.data());
-    benchmark::ClobberMemory();
+  --frames DIR                  also the frames of a folder (NAME_depth.png, NAME.json): cases METHOD/frames/NAME and
+                                the medians over all; needs no _labels.png
+  --version                     prints the version
+  --help                        prints this
+  --benchmark_filter=REGEX      only cases whose name matches, for example '/640x480' or '^Default/frames'
+  --benchmark_list_tests=true   names them
+  --benchmark_min_time=SECONDS  at least so long each, default 0.5
+  --benchmark_repetitions=N     the ratios are those of the medians
+  --benchmark_format=json       the ratios go to the error output; --benchmark_out=FILE writes JSON besides
+
+Cases: Floor, FloorWeights, FloorStatistics (passes that do a part of the work and nothing else), Sensor (the noise
+measured), Auto (whole frames, the noise measured on each), AutoStream (on a stream that has settled), Paper, Default,
+PclClass, PclOrganizedMultiPlane, PclRegionGrowing, PclRansac at WxH; variants /threads:N, /uint16, /stride:N and
+/unit:NAME; Noise/xF and Scene/NAME: default mode against noise, clutter and number of planes.
+Counters are milliseconds by stage and the number of planes found. The pages of docs/reference/ say more.
+)";
+
+/// The own options, which are taken out of the list.
+struct Options {
+  std::string frames, problem;
+  bool help = false, version = false, json = false, csv = false;
+
+  Options(int& argc, char** argv) {
+    int kept = 1;
+    for (int i = 1; i < argc; ++i) {
+      const std::string text = argv[i];
+      const std::string frames_is = "--frames=";
+      if (text == "--help" || text == "-h")
+        help = true;
+      else if (text == "--version")
+        version = true;
+      else if (text == "--frames" && i + 1 < argc)
+        frames = argv[++i];
+      else if (text.rfind(frames_is, 0) == 0)
+        frames = text.substr(frames_is.size());
+      else if (text == "--frames")
+        problem = "--frames needs a folder";
+      else
+        argv[kept++] = argv[i];
+      json = json || text == "--benchmark_format=json";
+      csv = csv || text == "--benchmark_format=csv";
+    }
+    argc = kept;
   }
-}
+};
 
-/// A whole frame; the stages' mean milliseconds are the counters.
-void extract(benchmark::State& state, int width, int height, epcc::Parameters parameters, int threads) {
-  const BenchFrame& frame = benchFrame(width, height);
-  parameters.threads = threads;
-  epcc::PlaneExtractor extractor(parameters, frame.sensor);
-  epcc::PlaneSegmentation result;
-  epcc::StageTimes sum;
-  for (auto _ : state) {
-    if (!extractor.extract(frame.view(), result)) return state.SkipWithError(extractor.error().c_str());
-    sum.read += extractor.times().read;
-    sum.lines += extractor.times().lines;
-    sum.planes += extractor.times().planes;
-    sum.regions += extractor.times().regions;
-    sum.result += extractor.times().result;
+int run(const Options& options) {
+  if (options.csv) {  // no reporter to pass it on to
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
   }
-  const auto mean = [](double seconds) {
-    return benchmark::Counter(1e3 * seconds, benchmark::Counter::kAvgIterations);
-  };
-  state.counters["read"] = mean(sum.read);
-  state.counters["lines"] = mean(sum.lines);
-  state.counters["planes"] = mean(sum.planes);
-  state.counters["regions"] = mean(sum.regions);
-  state.counters["result"] = mean(sum.result);
-}
-
-/// The sensor measured in the frame itself (`--noise auto`).
-void measureSensor(benchmark::State& state, int width, int height) {
-  const BenchFrame& frame = benchFrame(width, height);
-  for (auto _ : state) benchmark::DoNotOptimize(epcc::estimateSensor(frame.view()));
-}
-
-/// A method of the comparison, with all it does to the frame.
-void segment(benchmark::State& state, int width, int height, const std::string& method) {
-  const BenchFrame& frame = benchFrame(width, height);
-  const auto segmenter = epcc::makeSegmenter(method);
-  const epcc::SegmenterInput input{frame.view(), frame.sensor, "bench"};
-  epcc::PlaneSegmentation result;
-  for (auto _ : state)
-    if (!segmenter->segment(input, result)) return state.SkipWithError(segmenter->error().c_str());
-}
-
-template <typename Run>
-void add(const std::string& name, const Run& run) {
-  benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
-}
-
-void addSize(int width, int height) {
-  const std::string size = "/" + std::to_string(width) + "x" + std::to_string(height);
-  const epcc::SegmenterOptions options = epcc::defaultParameters();
-  const auto extraction = [=](const epcc::Parameters& parameters, int threads) {
-    return [=](benchmark::State& state) { extract(state, width, height, parameters, threads); };
-  };
-  add("Floor" + size, [=](benchmark::State& state) { floorOfTheFrame(state, width, height); });
-  add("Auto" + size, [=](benchmark::State& state) { measureSensor(state, width, height); });
-  add("Paper" + size, extraction(options.epcc_paper, 1));
-  add("Paper" + size + "/threads:2", extraction(options.epcc_paper, 2));
-  add("Default" + size, extraction(options.epcc, 1));
-  add("Default" + size + "/threads:2", extraction(options.epcc, 2));
-  add("PclOrganizedMultiPlane" + size, [=](benchmark::State& state) { segment(state, width, height, "omps"); });
+  benchmark::AddCustomContext("vector_unit", epcc::vectorUnit());
+  benchmark::JSONReporter json;
+  benchmark::ConsoleReporter console(isatty(STDOUT_FILENO) != 0 ? benchmark::ConsoleReporter::OO_Color
+                                                                : benchmark::ConsoleReporter::OO_None);
+  benchmark::BenchmarkReporter* shown = &console;
+  if (options.json) shown = &json;
+  epcc::bench::CollectingReporter reporter(*shown);
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  epcc::bench::printRatios(reporter.times(), options.json ? std::cerr : std::cout);
+  return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i)
-    if (std::strcmp(argv[i], "--version") == 0) {
-      std::cout << "epcc_bench " << EPCC_VERSION << '\n';
-      return 0;
-    }
-  for (const auto& [width, height] : {std::pair{320, 240}, std::pair{640, 480}, std::pair{1280, 720}})
-    addSize(width, height);
+int main(int argc, char** argv) try {
+  const Options options(argc, argv);
+  if (options.help) {
+    std::cout << kHelp;
+    return 0;
+  }
+  if (options.version) {
+    std::cout << "epcc_bench " << EPCC_VERSION << '\n';
+    return 0;
+  }
   benchmark::Initialize(&argc, argv);
+  if (!options.problem.empty()) {
+    std::cerr << "epcc_bench: " << options.problem << '\n';
+    return 2;
+  }
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
+  if (!epcc::vectorUnitProblem().empty()) {
+    std::cerr << "epcc_bench: " << epcc::vectorUnitProblem() << '\n';
+    return 2;
+  }
+  epcc::bench::addRenderedCases();
+  if (!options.frames.empty()) epcc::bench::addFolderCases(options.frames);
+  const int code = run(options);
   benchmark::Shutdown();
-  return 0;
+  return code;
+} catch (const std::exception& error) {
+  std::cerr << "epcc_bench: " << error.what() << '\n';
+  return 3;
 }

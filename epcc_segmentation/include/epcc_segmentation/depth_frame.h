@@ -96,6 +96,10 @@ class EPCC_CORE_EXPORT DepthFrame {
   double pinholeAlong(int row) const {
     return transposed_ ? (row - camera_.cx) / camera_.fx : (row - camera_.cy) / camera_.fy;
   }
+  /// Of a cloud: x, y, z of pixel i at points() + pointStride() * i, and mask()[i] unless there is none; i = index().
+  const float* points() const { return xyz_; }
+  std::size_t pointStride() const { return point_stride_; }
+  const std::uint8_t* mask() const { return mask_; }
   /// The measured value of a point of the scan frame: z, or the range.
   double measuredDepth(const Eigen::Vector3d& scan_point) const {
     return isPerspective(projection_) ? scan_point.z() : scan_point.norm();

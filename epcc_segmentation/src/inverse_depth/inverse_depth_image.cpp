@@ -65,37 +65,47 @@ void InverseDepthImage::readDepths(const DepthFrame& frame) {
 void InverseDepthImage::readPoints(const DepthFrame& frame) {
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
-  std::vector<double> forward_sum(columns, 0.0);
-  std::vector<double> column_count(columns, 0.0), row_count(rows, 0.0);
+  column_count_.assign(columns, 0.0);
+  row_count_.assign(rows, 0.0);
+  if (planar_rows)
+    points_.read(frame, columns, w.data(), across.data(), column_count_.data(), along.data(), row_count_.data());
+  else
+    readScan(frame);
+  for (std::size_t r = 0; r < rows; ++r)
+    if (row_count_[r] > 0.0) along[r] /= row_count_[r];
+  for (std::size_t c = 0; c < columns; ++c) {
+    const double length = planar_rows ? column_count_[c] : std::hypot(across[c], forward[c]);
+    if (!(length > 0.0)) {
+      if (!planar_rows) forward[c] = 0.0;
+      continue;
+    }
+    across[c] /= length;
+    if (!planar_rows) forward[c] /= length;
+  }
+  fillUnseen(row_count_, along);
+  if (planar_rows) fillUnseen(column_count_, across);
+  if (!planar_rows)
+    for (std::size_t r = 0; r < rows; ++r) measured_scale[r] = 1.0 / std::sqrt(1.0 + along[r] * along[r]);
+}
+
+void InverseDepthImage::readScan(const DepthFrame& frame) {
+  const auto columns = static_cast<std::size_t>(width);
   Eigen::Vector3d p;
-  for (std::size_t r = 0; r < rows; ++r) {
+  for (std::size_t r = 0; r < static_cast<std::size_t>(height); ++r)
     for (std::size_t c = 0; c < columns; ++c) {
       w[r * columns + c] = 0.0f;
       if (!frame.scanPoint(static_cast<int>(r), static_cast<int>(c), p)) continue;
-      const double distance = planar_rows ? p.z() : std::sqrt(p.x() * p.x() + p.z() * p.z());
+      const double distance = std::sqrt(p.x() * p.x() + p.z() * p.z());
       if (!(distance > 0.0)) continue;
       const double inverse = 1.0 / distance;
       const auto value = static_cast<float>(inverse);
       if (!std::isfinite(value) || !(value > 0.0f)) continue;
       w[r * columns + c] = value;
       across[c] += p.x() * inverse;
-      forward_sum[c] += p.z() * inverse;
+      forward[c] += p.z() * inverse;
       along[r] += p.y() * inverse;
-      column_count[c] += 1.0;
-      row_count[r] += 1.0;
+      row_count_[r] += 1.0;
     }
-    if (row_count[r] > 0.0) along[r] /= row_count[r];
-  }
-  for (std::size_t c = 0; c < columns; ++c) {
-    const double length = planar_rows ? column_count[c] : std::hypot(across[c], forward_sum[c]);
-    if (!(length > 0.0)) continue;
-    across[c] /= length;
-    if (!planar_rows) forward[c] = forward_sum[c] / length;
-  }
-  fillUnseen(row_count, along);
-  if (planar_rows) fillUnseen(column_count, across);
-  if (!planar_rows)
-    for (std::size_t r = 0; r < rows; ++r) measured_scale[r] = 1.0 / std::sqrt(1.0 + along[r] * along[r]);
 }
 
 double InverseDepthImage::placeVariance() const {

@@ -9,6 +9,7 @@
 
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/perspective_points.h"
 
 namespace epcc {
 
@@ -72,7 +73,10 @@ struct InverseDepthImage {
  private:
   void readDepths(const DepthFrame& frame);
   void readPoints(const DepthFrame& frame);
+  void readScan(const DepthFrame& frame);
 
+  PerspectivePoints points_;
+  std::vector<double> column_count_, row_count_;  // valid points of a cloud
   std::vector<float> row_depths_;
 };
 

@@ -95,6 +95,28 @@ TEST_P(PclOutOfMemory, AtAnyAllocationIsAStatus) {
   EXPECT_GT(refused, 20);
 }
 
+// The outputs of one call are those of the next: nothing as large as the cloud is allocated then.
+TEST(PclMemory, IsKeptFromCallToCall) {
+  const auto cloud = smallCloud();
+  EPCCSegmentation<pcl::PointXYZ> segmentation;
+  segmentation.setSensorModel(SensorModel::axial(0.003, 0.0));
+  segmentation.setInputCloud(cloud);
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers, label_indices;
+  EPCCSegmentation<pcl::PointXYZ>::Centroids centroids;
+  EPCCSegmentation<pcl::PointXYZ>::Covariances covariances;
+  pcl::PointCloud<pcl::Label> labels;
+  const auto segment = [&] { segmentation.segment(models, inliers, centroids, covariances, labels, label_indices); };
+  segment();
+  ASSERT_FALSE(inliers.empty());
+  const pcl::Indices first = inliers.front().indices;
+  test::forgetAllocations();
+  segment();
+  EXPECT_LT(test::largestAllocation(), cloud->size());
+  EXPECT_EQ(inliers.front().indices, first);
+  EXPECT_EQ(label_indices.front().indices, first);
+}
+
 INSTANTIATE_TEST_SUITE_P(EachCall, PclOutOfMemory, ::testing::Range(0, 6));
 
 }  // namespace

@@ -38,7 +38,7 @@ using SegmentationStatus = Status;
 /// changing the type; it needs no normals. Clouds of a depth camera (x right, y down, z forward) and
 /// of a spinning lidar (x forward, y left, z up; column = azimuth) are distinguished automatically.
 ///
-/// - Every output is cleared first, and is empty after bad input: then one PCL_ERROR line tells what
+/// - What an output held is replaced, and every output is empty after bad input: then one PCL_ERROR line tells what
 ///   is wrong, and getStatus() and getErrorMessage() tell a program. Nothing is thrown.
 /// - Points outside setIndices() and points without a finite coordinate or with a depth <= 0 count as
 ///   not measured, whatever is_dense says. Indices may repeat; with no indices in the vector nothing
@@ -230,16 +230,17 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   /// Says once for each of the calls, numbered from 0, that it does nothing.
   void warnWithoutEffect(unsigned call, const char* name, const char* why);
 
-  /// Clears the outputs and fills them by the action; they are clear again, and it is reported, if memory runs out.
+  /// Fills the outputs by the action, which replaces what they held and keeps their memory; they are cleared if it
+  /// fails, and it is reported if memory runs out.
   template <typename Clear, typename Action>
   void attempt(const char* method, const Clear& clear, const Action& action) {
-    clear();
+    bool done = false;
     try {
-      action();
+      done = action();
     } catch (const std::bad_alloc&) {
-      clear();
       report(method, Status::OutOfMemory, "out of memory");  // short enough to need none
     }
+    if (!done) clear();
   }
   /// Checks the input and segments it into segmentation_; on bad input reports it as found by `method`.
   bool compute(const char* method);

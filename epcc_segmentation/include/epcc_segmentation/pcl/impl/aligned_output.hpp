@@ -25,15 +25,18 @@ void EPCCSegmentation<PointT>::segment(std::vector<pcl::ModelCoefficients>& mode
     label_indices.clear();
   };
   attempt("segment", clear, [&] {
-    if (!compute("segment")) return;
+    if (!compute("segment")) return false;
     copyModels(model_coefficients);
     copyInliers(inlier_indices);
+    centroids.clear();
+    covariances.clear();
     for (const Plane& plane : segmentation_.planes) {
       centroids.push_back(plane.centroid.homogeneous().template cast<float>());
       covariances.push_back(plane.points_covariance.template cast<float>());
     }
     copyLabels(labels);
     label_indices = inlier_indices;
+    return true;
   });
 }
 
@@ -41,7 +44,9 @@ template <typename PointT>
 void EPCCSegmentation<PointT>::segment(PlanarRegions& regions) {
   const auto clear = [&] { regions.clear(); };
   attempt("segment", clear, [&] {
-    if (compute("segment")) copyRegions(regions, nullptr);
+    if (!compute("segment")) return false;
+    copyRegions(regions, nullptr);
+    return true;
   });
 }
 
@@ -49,7 +54,9 @@ template <typename PointT>
 void EPCCSegmentation<PointT>::segmentAndRefine(PlanarRegions& regions) {
   const auto clear = [&] { regions.clear(); };
   attempt("segmentAndRefine", clear, [&] {
-    if (compute("segmentAndRefine")) copyRegions(regions, nullptr);
+    if (!compute("segmentAndRefine")) return false;
+    copyRegions(regions, nullptr);
+    return true;
   });
 }
 
@@ -69,12 +76,13 @@ void EPCCSegmentation<PointT>::segmentAndRefine(PlanarRegions& regions,
   };
   attempt("segmentAndRefine", clear, [&] {
     if (!labels) labels = pcl::make_shared<PointCloudL>();
-    if (!compute("segmentAndRefine")) return;
+    if (!compute("segmentAndRefine")) return false;
     copyRegions(regions, &boundary_indices);
     copyModels(model_coefficients);
     copyInliers(inlier_indices);
     copyLabels(*labels);
     label_indices = inlier_indices;
+    return true;
   });
 }
 
@@ -87,10 +95,10 @@ void EPCCSegmentation<PointT>::copyLabels(PointCloudL& labels) const {
   labels.resize(segmentation_.labels.size());
   labels.width = input_->width;
   labels.height = input_->height;
-  for (std::size_t i = 0; i < segmentation_.labels.size(); ++i) {
-    const std::int32_t label = segmentation_.labels[i];
-    labels.points[i].label = label > 0 ? static_cast<std::uint32_t>(label - 1) : kNoPlane;
-  }
+  static_assert(kNoPlane == static_cast<std::uint32_t>(0) - 1u, "0 wraps around to it");
+  const std::int32_t* from = segmentation_.labels.data();
+  pcl::Label* to = labels.points.data();
+  for (std::size_t i = 0; i < segmentation_.labels.size(); ++i) to[i].label = static_cast<std::uint32_t>(from[i]) - 1u;
 }
 
 template <typename PointT>
@@ -98,7 +106,9 @@ void EPCCSegmentation<PointT>::copyRegions(PlanarRegions& regions,
                                            std::vector<pcl::PointIndices>* boundary_indices) const {
   const auto contours = traceAllContours(segmentation_.labels, segmentation_.width, segmentation_.height,
                                          static_cast<int>(segmentation_.planes.size()));
+  regions.clear();
   regions.reserve(contours.size());
+  if (boundary_indices != nullptr) boundary_indices->clear();
   for (std::size_t k = 0; k < contours.size(); ++k) {
     const PixelContour outline = contours[k].empty() ? PixelContour() : contours[k].front();
     regions.push_back(buildPlanarRegion(segmentation_.planes[k], outline, *input_, project_points_));

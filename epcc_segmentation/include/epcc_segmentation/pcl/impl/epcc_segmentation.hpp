@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <new>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -76,9 +77,10 @@ void EPCCSegmentation<PointT>::segment(std::vector<pcl::ModelCoefficients>& mode
     inlier_indices.clear();
   };
   attempt("segment", clear, [&] {
-    if (!compute("segment")) return;
+    if (!compute("segment")) return false;
     copyModels(model_coefficients);
     copyInliers(inlier_indices);
+    return true;
   });
 }
 
@@ -86,7 +88,9 @@ template <typename PointT>
 void EPCCSegmentation<PointT>::extract(std::vector<pcl::PointIndices>& clusters) {
   const auto clear = [&] { clusters.clear(); };
   attempt("extract", clear, [&] {
-    if (compute("extract")) copyInliers(clusters);
+    if (!compute("extract")) return false;
+    copyInliers(clusters);
+    return true;
   });
 }
 
@@ -185,11 +189,20 @@ void EPCCSegmentation<PointT>::copyInliers(std::vector<pcl::PointIndices>& inlie
   inlier_indices.resize(segmentation_.planes.size());
   for (std::size_t k = 0; k < inlier_indices.size(); ++k) {
     inlier_indices[k].header = input_->header;
+    inlier_indices[k].indices.clear();
     inlier_indices[k].indices.reserve(segmentation_.planes[k].pixel_count);
   }
-  for (std::size_t i = 0; i < segmentation_.labels.size(); ++i) {
-    const std::int32_t label = segmentation_.labels[i];
-    if (label > 0) inlier_indices[static_cast<std::size_t>(label - 1)].indices.push_back(static_cast<pcl::index_t>(i));
+  // Run by run: neighbours have mostly the same label.
+  const std::int32_t* labels = segmentation_.labels.data();
+  const std::size_t size = segmentation_.labels.size();
+  for (std::size_t begin = 0, end = 0; begin < size; begin = end) {
+    const std::int32_t label = labels[begin];
+    for (end = begin + 1; end < size && labels[end] == label;) ++end;
+    if (label == 0) continue;
+    pcl::Indices& indices = inlier_indices[static_cast<std::size_t>(label - 1)].indices;
+    const std::size_t before = indices.size();
+    indices.resize(before + (end - begin));
+    std::iota(indices.data() + before, indices.data() + indices.size(), static_cast<pcl::index_t>(begin));
   }
 }
 
