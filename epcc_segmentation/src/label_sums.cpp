@@ -25,7 +25,7 @@ constexpr std::size_t kLanes = hn::MaxLanes(Double());
 
 /// Whole blocks of a row; `first` to `end` count samples, multiples of kSumLanes.
 struct Stretch {
-  const LabelledSamples& row;
+  const SampleRow& row;
   std::size_t first, end;
   std::int32_t label;
 };
@@ -155,7 +155,7 @@ HWY_INLINE void clear(LabelSums& sums) {
 
 /// The first point becomes the origin. False if there is none.
 HWY_INLINE bool findOrigin(const Stretch& s, LabelSums& sums) {
-  const LabelledSamples& row = s.row;
+  const SampleRow& row = s.row;
   for (std::size_t i = s.first; i < s.end && !sums.started; ++i) {
     if (row.labels[i] != s.label) continue;
     const auto z = static_cast<double>(row.z[i]);
@@ -219,7 +219,7 @@ HWY_INLINE int labelsIn(const std::int32_t* labels, std::int32_t done, std::int3
 
 /// Whole blocks. The last label of a block goes on into the blocks that have it alone, and into the next one that has
 /// it, too.
-bool sumBlocks(const LabelledSamples& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums) {
+bool sumBlocks(const SampleRow& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums) {
   bool stray = false;
   const auto sum = [&](std::size_t first, std::size_t end, std::int32_t label) HWY_ATTR {
     if (label < 1 || label > label_count)
@@ -256,8 +256,8 @@ bool sumBlocks(const LabelledSamples& row, const SensorVariance& variance, std::
   return stray;
 }
 
-bool sumRow(const LabelledSamples& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums) {
-  LabelledSamples whole = row;
+bool sumRow(const SampleRow& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums) {
+  SampleRow whole = row;
   whole.count = row.count / kSumLanes * kSumLanes;
   bool stray = sumBlocks(whole, variance, label_count, sums);
   const std::size_t rest = row.count - whole.count;
@@ -275,7 +275,7 @@ bool sumRow(const LabelledSamples& row, const SensorVariance& variance, std::int
     x[i] = row.x[whole.count + i];
     y[i] = row.y[whole.count + i];
   }
-  LabelledSamples last = row;
+  SampleRow last = row;
   last.count = kSumLanes;
   last.labels = labels;
   last.z = z;
@@ -299,7 +299,7 @@ namespace {
 HWY_EXPORT(sumRow);
 }
 
-bool addToLabelSums(const LabelledSamples& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums) {
+bool addToLabelSums(const SampleRow& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums) {
   return EPCC_KERNEL(sumRow)(row, variance, label_count, sums);
 }
 

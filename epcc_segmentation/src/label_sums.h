@@ -23,7 +23,7 @@ struct LabelSums {
 };
 
 /// Samples of an image row with their labels: depths with the slopes of their rays, or points.
-struct LabelledSamples {
+struct SampleRow {
   std::size_t count = 0;
   const std::int32_t* labels = nullptr;
   const float* z = nullptr;  ///< of a depth image 0 where nothing is measured
@@ -37,6 +37,6 @@ struct LabelledSamples {
 };
 
 /// Adds a row to sums[0 .. label_count) of the labels 1 .. label_count. True if there was another label but 0.
-bool addToLabelSums(const LabelledSamples& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums);
+bool addToLabelSums(const SampleRow& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums);
 
 }  // namespace epcc

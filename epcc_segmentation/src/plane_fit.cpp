@@ -134,7 +134,7 @@ void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& varianc
   float* x = band.points.data();
   float* y = x + width;
   float* z = y + width;
-  LabelledSamples row;
+  SampleRow row;
   row.count = count;
   row.z = z;
   if (image.isPinhole()) {

@@ -45,11 +45,11 @@ struct SampleBuffer {
   float* fields[kFields];
   std::int32_t* counts[kCounts];
 
-  static std::size_t length(const LineRule& rule) {
+  static std::size_t length(const ClusteringRule& rule) {
     return static_cast<std::size_t>(2 * rule.buffer_samples + kPadding);
   }
-  static std::size_t floats(const LineRule& rule) { return (kFields + kCounts) * length(rule); }
-  float* place(float* memory, const LineRule& rule) {
+  static std::size_t floats(const ClusteringRule& rule) { return (kFields + kCounts) * length(rule); }
+  float* place(float* memory, const ClusteringRule& rule) {
     capacity = 2 * rule.buffer_samples;
     for (float*& field : fields) {
       field = memory;
@@ -72,7 +72,7 @@ struct SampleBuffer {
     fields[kVariance][i] = s.variance;
     counts[kRow][i] = row;
   }
-  LinePrototypeLane candidate(int i, const LineRule& rule) const {
+  LinePrototypeLane candidate(int i, const ClusteringRule& rule) const {
     return {static_cast<float>(rule.fit_samples),
             fields[kMean1][i],
             fields[kMean2][i],
@@ -145,7 +145,7 @@ struct Agreement {
     ray2 = hn::Set(d, s.ray2);
     variance = hn::Set(d, s.variance);
   }
-  HWY_INLINE BufferMask holds(const LineRule& rule) const {
+  HWY_INLINE BufferMask holds(const ClusteringRule& rule) const {
     namespace hn = hwy::HWY_NAMESPACE;
     const BufferTag d;
     const V dx = hn::Sub(t1, mean1);
@@ -166,7 +166,7 @@ HWY_INLINE BufferMask lanesBefore(int i, int end) {
 }
 
 /// sigma_z^2 and (t1, t2) of `count` depths that stand in place of their variance.
-HWY_INLINE void completeDepths(const ScanStrip& strip, const LineRule& rule, int line, int count,
+HWY_INLINE void completeDepths(const ScanStrip& strip, const ClusteringRule& rule, int line, int count,
                                SampleBuffer& buffer) {
   namespace hn = hwy::HWY_NAMESPACE;
   const BufferTag d;
@@ -182,7 +182,7 @@ HWY_INLINE void completeDepths(const ScanStrip& strip, const LineRule& rule, int
 }
 
 /// Walks back to the first rejected samples: all that were measured since the last accepted one.
-HWY_INLINE void collect(const ScanStrip& strip, const LineRule& rule, int at, int line, SampleBuffer& buffer) {
+HWY_INLINE void collect(const ScanStrip& strip, const ClusteringRule& rule, int at, int line, SampleBuffer& buffer) {
   const int size = rule.minSamples();
   buffer.begin = buffer.fitted = 0;
   buffer.end = size;
@@ -217,7 +217,7 @@ HWY_INLINE void moveDown(SampleBuffer& buffer) {
 }
 
 /// The new sample counts for the candidates that agree with it. Returns the first that then has enough, or -1.
-HWY_INLINE int countForCandidates(const LineRule& rule, const LineSample& sample, SampleBuffer& buffer) {
+HWY_INLINE int countForCandidates(const ClusteringRule& rule, const LineSample& sample, SampleBuffer& buffer) {
   namespace hn = hwy::HWY_NAMESPACE;
   const hn::RebindToSigned<BufferTag> di;
   Agreement agreement;
@@ -236,7 +236,7 @@ HWY_INLINE int countForCandidates(const LineRule& rule, const LineSample& sample
 }
 
 /// Fits the candidate that the newest sample completes, and counts those that agree with it.
-HWY_INLINE int fitCandidate(const LineRule& rule, SampleBuffer& buffer) {
+HWY_INLINE int fitCandidate(const ClusteringRule& rule, SampleBuffer& buffer) {
   namespace hn = hwy::HWY_NAMESPACE;
   const int start = buffer.fitted++;
   const int fit_end = start + rule.fit_samples;
@@ -260,7 +260,7 @@ HWY_INLINE int fitCandidate(const LineRule& rule, SampleBuffer& buffer) {
 /// Puts the sample of a row into the buffer; `waiting` is how many were rejected since the last accepted one, k_min at
 /// least. Returns the smallest start whose line enough later samples agree with, or -1. Each candidate is tested once
 /// against each sample, which gives what trying every start anew gives.
-HWY_INLINE int pushSample(const ScanStrip& strip, const LineRule& rule, int row, int line, int waiting,
+HWY_INLINE int pushSample(const ScanStrip& strip, const ClusteringRule& rule, int row, int line, int waiting,
                           SampleBuffer& buffer) {
   int start = -1;
   if (waiting == rule.minSamples()) {

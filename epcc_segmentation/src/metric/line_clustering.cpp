@@ -21,7 +21,7 @@ namespace {
 constexpr int kSides = 2;  // two independent vectors: the recurrence waits for its root and its division
 
 /// One row of a side: returns the lanes whose buffer may hold a new segment.
-HWY_INLINE MF step(const LineRule& rule, const Samples& s, int row, std::int32_t* numbers, Prototypes& p) {
+HWY_INLINE MF step(const ClusteringRule& rule, const Samples& s, int row, std::int32_t* numbers, Prototypes& p) {
   const Int di;
   const MF accepted = acceptAndUpdate(rule, s, p);
   const auto accepted_int = hn::RebindMask(di, accepted);
@@ -37,7 +37,7 @@ HWY_INLINE MF step(const LineRule& rule, const Samples& s, int row, std::int32_t
 /// Buffers and first samples of the lines, and what leaves them.
 struct Lines {
   const ScanStrip& strip;
-  const LineRule& rule;
+  const ClusteringRule& rule;
   StripSegments& result;
   SampleBuffer buffers[kStripLines];
   int first[kStripLines];
@@ -127,7 +127,7 @@ HWY_NOINLINE void findSegments(Lines& lines, int first_line, int row, std::uint6
 template <bool kPoints>
 void clusterSides(Lines& lines, int first_line) {
   const ScanStrip strip = lines.strip;  // copies, which no number that is stored can change
-  const LineRule rule = lines.rule;
+  const ClusteringRule rule = lines.rule;
   StripSegments& result = lines.result;
   std::int32_t* const all_numbers = result.numbers + first_line;
   const std::size_t number_stride = result.number_stride;
@@ -166,7 +166,7 @@ void clusterSides(Lines& lines, int first_line) {
   finish(p1, x1, z1, second_line);
 }
 
-void clusterStrip(const ScanStrip& strip, const LineRule& rule, float* memory, StripSegments& result) {
+void clusterStrip(const ScanStrip& strip, const ClusteringRule& rule, float* memory, StripSegments& result) {
   Lines lines{strip, rule, result, {}, {}};
   for (int line = 0; line < kStripLines; ++line) {
     result.count[line] = 0;
@@ -191,7 +191,7 @@ namespace {
 HWY_EXPORT(clusterStrip);
 }  // namespace
 
-LineRule::LineRule(const PaperParameters& parameters, const SensorModel& sensor)
+ClusteringRule::ClusteringRule(const PaperParameters& parameters, const SensorModel& sensor)
     : k_max_squared(static_cast<float>(parameters.line_k_max * parameters.line_k_max)),
       projection_floor(static_cast<float>(parameters.expert.lines.projection_floor)),
       fit_samples(parameters.expert.lines.fit_samples),
@@ -200,7 +200,7 @@ LineRule::LineRule(const PaperParameters& parameters, const SensorModel& sensor)
   if (parameters.expert.lines.use_sensor_noise) variance = SensorVariance(sensor);
 }
 
-void clusterLines(const ScanStrip& strip, const LineRule& rule, LineWorkspace& workspace, StripSegments& result) {
+void clusterLines(const ScanStrip& strip, const ClusteringRule& rule, LineWorkspace& workspace, StripSegments& result) {
   float* memory = workspace.floats(kStripLines, HWY_NAMESPACE::SampleBuffer::floats(rule));
   EPCC_KERNEL(clusterStrip)(strip, rule, memory, result);
 }

@@ -19,9 +19,9 @@ constexpr int kStripLines = 32;
 constexpr float kFarthest = 1e5f;
 
 /// What Algorithm 1 decides by.
-struct LineRule {
-  LineRule() = default;
-  LineRule(const PaperParameters& parameters, const SensorModel& sensor);
+struct ClusteringRule {
+  ClusteringRule() = default;
+  ClusteringRule(const PaperParameters& parameters, const SensorModel& sensor);
   float k_max_squared = 0.0f;
   float projection_floor = 0.0f;
   SensorVariance variance;  ///< all zeros where the noise model is not to be used
@@ -87,6 +87,6 @@ inline float farthestDepth(float slope) {
 }
 
 /// Clusters every line of the strip.
-void clusterLines(const ScanStrip& strip, const LineRule& rule, LineWorkspace& workspace, StripSegments& result);
+void clusterLines(const ScanStrip& strip, const ClusteringRule& rule, LineWorkspace& workspace, StripSegments& result);
 
 }  // namespace epcc

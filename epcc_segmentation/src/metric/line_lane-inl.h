@@ -62,7 +62,7 @@ HWY_INLINE void readSection(const ScanStrip& strip, int row, int line, float& t1
 }
 
 /// The sample of a measured pixel as the vectors have it.
-HWY_INLINE LineSample readSample(const ScanStrip& strip, const LineRule& rule, int row, int line) {
+HWY_INLINE LineSample readSample(const ScanStrip& strip, const ClusteringRule& rule, int row, int line) {
   const std::size_t at = static_cast<std::size_t>(row) * strip.stride + static_cast<std::size_t>(line);
   const float z = strip.z[at];
   LineSample s;

@@ -85,7 +85,7 @@ HWY_INLINE void keepAccepted(MF accepted, const Prototypes& next, Prototypes& p)
 
 /// Eq. 20 and, where it holds, the update. The update is worked out for all lanes meanwhile, for its root and its
 /// divisions take longer than the decision. Returns the lanes that accept.
-HWY_INLINE MF acceptAndUpdate(const LineRule& rule, const Samples& s, Prototypes& p) {
+HWY_INLINE MF acceptAndUpdate(const ClusteringRule& rule, const Samples& s, Prototypes& p) {
   const Float d;
   const VF dx = hn::Sub(s.t1, p.mean1);
   const VF dy = hn::Sub(s.t2, p.mean2);

@@ -37,7 +37,7 @@ HWY_INLINE MF isMeasured(VF t1, VF t2) {
 }
 
 /// Sections of a depth image: (t1, t2) = z (sqrt(1 + u^2), v).
-HWY_INLINE Samples readDepths(const ScanStrip& strip, const LineRule& rule, int row, int line) {
+HWY_INLINE Samples readDepths(const ScanStrip& strip, const ClusteringRule& rule, int row, int line) {
   const Float d;
   const VF z = hn::LoadU(d, strip.z + static_cast<std::size_t>(row) * strip.stride + line);
   Samples s;
@@ -51,7 +51,8 @@ HWY_INLINE Samples readDepths(const ScanStrip& strip, const LineRule& rule, int 
 }
 
 /// Sections of a cloud: (t1, t2) = (sqrt(x^2 + z^2), y); also sums the lines' directions.
-HWY_INLINE Samples readPoints(const ScanStrip& strip, const LineRule& rule, int row, int line, VF& sum_x, VF& sum_z) {
+HWY_INLINE Samples readPoints(const ScanStrip& strip, const ClusteringRule& rule, int row, int line, VF& sum_x,
+                              VF& sum_z) {
   const Float d;
   const std::size_t at = static_cast<std::size_t>(row) * strip.stride + static_cast<std::size_t>(line);
   const VF x = hn::LoadU(d, strip.x + at);

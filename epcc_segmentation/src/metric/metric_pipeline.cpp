@@ -45,7 +45,7 @@ MetricPipeline::MetricPipeline(const Parameters& parameters, const SensorModel& 
 void MetricPipeline::configure(const Parameters& parameters, const SensorModel& sensor) {
   parameters_ = parameters;
   sensor_ = sensor;
-  rule_ = LineRule(parameters.paper, sensor);
+  rule_ = ClusteringRule(parameters.paper, sensor);
   plane_clustering_.configure(parameters.paper, sensor);
 }
 

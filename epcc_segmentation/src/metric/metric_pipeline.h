@@ -62,7 +62,7 @@ class MetricPipeline {
 
   Parameters parameters_;
   SensorModel sensor_;
-  LineRule rule_;
+  ClusteringRule rule_;
   ScanStrips strips_;
   std::vector<StripMemory> memory_;  // one a thread
   OrderedTurns order_of_strips_;

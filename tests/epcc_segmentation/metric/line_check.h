@@ -36,7 +36,7 @@ struct Reference {
 };
 
 inline Reference<float> referenceOf(const DepthFrame& view, const Parameters& parameters, const SensorModel& sensor) {
-  const LineRule rule(parameters.paper, sensor);
+  const ClusteringRule rule(parameters.paper, sensor);
   ReferenceClustering<float> clustering(rule);
   Reference<float> result;
   for (int c = 0; c < view.width(); ++c) result.lines.push_back(clustering.cluster(referenceLine(view, rule, c)));
@@ -58,7 +58,7 @@ inline std::vector<int> placesOf(const MetricPipeline& pipeline, const DepthFram
 
 /// The reference in double precision.
 inline Reference<double> preciseReferenceOf(const DepthFrame& view, const SensorModel& sensor) {
-  ReferenceClustering<double> clustering(LineRule(Parameters().paper, sensor));
+  ReferenceClustering<double> clustering(ClusteringRule(Parameters().paper, sensor));
   Reference<double> result;
   for (int c = 0; c < view.width(); ++c) result.lines.push_back(clustering.cluster(preciseLine(view, sensor, c)));
   return result;

@@ -17,8 +17,8 @@
 
 namespace {
 
+using epcc::ClusteringRule;
 using epcc::LineRecord;
-using epcc::LineRule;
 using epcc::PaperParameters;
 using epcc::SensorModel;
 
@@ -68,7 +68,7 @@ Segments cluster(const Profile& depth, const SensorModel& sensor, const PaperPar
   found.numbers = numbers.data();
   found.number_stride = epcc::kStripLines;
   epcc::LineWorkspace workspace;
-  epcc::clusterLines(strip, LineRule(parameters, sensor), workspace, found);
+  epcc::clusterLines(strip, ClusteringRule(parameters, sensor), workspace, found);
   Segments result;
   for (int k = 0; k < found.count[kLine]; ++k)
     result.segments.push_back(records[static_cast<std::size_t>(kLine * kCapacity + k)]);

@@ -69,7 +69,7 @@ struct ReferenceSegment {
 template <typename T>
 class ReferenceClustering {
  public:
-  explicit ReferenceClustering(const LineRule& rule) : rule_(rule) {}
+  explicit ReferenceClustering(const ClusteringRule& rule) : rule_(rule) {}
 
   std::vector<ReferenceSegment<T>> cluster(const std::vector<ReferenceSample<T>>& line) {
     segments_.clear();
@@ -119,7 +119,7 @@ class ReferenceClustering {
     return true;
   }
 
-  LineRule rule_;
+  ClusteringRule rule_;
   std::vector<ReferenceSegment<T>> segments_;
   std::vector<ReferenceSample<T>> buffer_;
 };
@@ -130,7 +130,8 @@ inline float referenceVariance(const SensorVariance& v, float z) {
 }
 
 /// The measured samples of a view's column as the kernel has them.
-inline std::vector<ReferenceSample<float>> referenceLine(const DepthFrame& view, const LineRule& rule, int column) {
+inline std::vector<ReferenceSample<float>> referenceLine(const DepthFrame& view, const ClusteringRule& rule,
+                                                         int column) {
   std::vector<ReferenceSample<float>> line;
   float slope = 0.0f;
   if (view.isPinhole())
