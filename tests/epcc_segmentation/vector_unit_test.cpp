@@ -11,19 +11,23 @@
 #include "epcc_segmentation/plane_extractor.h"
 #include "inverse_depth/depth_inversion.h"
 #include "inverse_depth/inverse_depth_image.h"
-#include "tests/support/each_vector_unit.h"
 #include "tests/support/rendered_room.h"
+#include "tests/support/vector_units.h"
 
 namespace {
 
-using epcc::test::forEachVectorUnit;
+using epcc::test::onEveryVectorUnit;
 
 TEST(VectorUnit, TheFastestIsInUseAndAnyCanBeChosen) {
   const std::vector<std::string> units = epcc::vectorUnits();
   ASSERT_FALSE(units.empty());
   const std::string in_use = epcc::vectorUnit();
   EXPECT_NE(std::find(units.begin(), units.end(), in_use), units.end());
-  forEachVectorUnit([](const std::string& unit) { EXPECT_EQ(epcc::vectorUnit(), unit); });
+  for (const std::string& unit : units) {
+    EXPECT_TRUE(epcc::setVectorUnit(unit));
+    EXPECT_EQ(epcc::vectorUnit(), unit);
+  }
+  EXPECT_TRUE(epcc::setVectorUnit(in_use));
   EXPECT_EQ(epcc::vectorUnit(), in_use);
   EXPECT_FALSE(epcc::setVectorUnit("abacus"));
   EXPECT_EQ(epcc::vectorUnit(), in_use);
@@ -45,7 +49,7 @@ TEST(VectorUnit, DepthsAreReadAlikeAndNoneBeyondTheEndIsTouched) {
   noise.a2 = 4e-6;
   noise.b2 = 9e-6;
   noise.place2 = 1e-7;
-  forEachVectorUnit([&](const std::string& unit) {
+  onEveryVectorUnit([&] {
     for (std::size_t count = 0; count < depth.size(); ++count) {
       std::vector<float> w(depth.size() + 1, 7.0f), weight(w), metres(w);
       epcc::invertDepths(depth.data(), count, w.data());
@@ -54,13 +58,13 @@ TEST(VectorUnit, DepthsAreReadAlikeAndNoneBeyondTheEndIsTouched) {
       for (std::size_t i = 0; i < count; ++i) {
         const bool valid = depth[i] > 0.0f && depth[i] <= std::numeric_limits<float>::max() &&
                            1.0f / depth[i] <= std::numeric_limits<float>::max();
-        EXPECT_EQ(w[i], valid ? 1.0f / depth[i] : 0.0f) << unit << ' ' << i;
-        EXPECT_EQ(metres[i], static_cast<float>(units[i] * 0.001)) << unit << ' ' << i;
+        EXPECT_EQ(w[i], valid ? 1.0f / depth[i] : 0.0f) << i;
+        EXPECT_EQ(metres[i], static_cast<float>(units[i] * 0.001)) << i;
         const double expected = 0.81 / noise.variance(static_cast<double>(w[i]) * 0.9f);
-        EXPECT_NEAR(static_cast<double>(weight[i]), expected, 1e-5 * expected) << unit << ' ' << i;
+        EXPECT_NEAR(static_cast<double>(weight[i]), expected, 1e-5 * expected) << i;
       }
       for (const auto* values : {&w, &weight, &metres})
-        for (std::size_t i = count; i < values->size(); ++i) EXPECT_EQ((*values)[i], 7.0f) << unit << ' ' << count;
+        for (std::size_t i = count; i < values->size(); ++i) EXPECT_EQ((*values)[i], 7.0f) << count;
     }
   });
 }
@@ -78,15 +82,15 @@ TEST(VectorUnit, NoisyRoomsHaveTheSameLabelsAndPlanesOnEach) {
       for (std::size_t i = 0; i < room.depth.size(); i += 11) room.depth[i] = 0.0f;
       for (const bool given : {true, false}) {
         epcc::PlaneSegmentation first;
-        forEachVectorUnit([&](const std::string& unit) {
+        onEveryVectorUnit([&] {
           epcc::PlaneExtractor extractor(parameters, given ? std::optional(sensor) : std::nullopt);
           epcc::PlaneSegmentation result;
           ASSERT_TRUE(extractor.extract(room.frame(), result)) << extractor.error();
           if (first.labels.empty()) first = result;
-          EXPECT_EQ(result.labels, first.labels) << unit << ' ' << width;
-          ASSERT_EQ(result.planes.size(), first.planes.size()) << unit << ' ' << width;
+          EXPECT_EQ(result.labels, first.labels) << width;
+          ASSERT_EQ(result.planes.size(), first.planes.size()) << width;
           for (std::size_t k = 0; k < first.planes.size(); ++k)
-            EXPECT_EQ(result.planes[k].coefficients, first.planes[k].coefficients) << unit << ' ' << width;
+            EXPECT_EQ(result.planes[k].coefficients, first.planes[k].coefficients) << width;
         });
         EXPECT_GE(first.planes.size(), width > 17 ? 3u : 0u);
       }

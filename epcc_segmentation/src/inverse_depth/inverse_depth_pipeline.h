@@ -17,8 +17,8 @@
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/region_contacts.h"
 #include "inverse_depth/region_map.h"
-#include "plane_fit_samples.h"
 #include "inverse_depth/region_merging.h"
+#include "plane_fit_samples.h"
 
 namespace epcc {
 
@@ -60,7 +60,7 @@ class InverseDepthPipeline {
   SensorModel grid_sensor_;
   InverseDepthImage samples_;
   const InverseDepthImage* full_image_ = nullptr;
-  const InverseDepthImage* image_ = nullptr;          // that of S1 to S9
+  const InverseDepthImage* image_ = nullptr;     // that of S1 to S9
   std::array<DirectionalPlanes, 2> directions_;  // by columns, by rows
   std::vector<StripMemory> strip_memory_;        // per thread
   DirectionJoining joining_;

@@ -24,7 +24,8 @@ struct SegmentNumbers {
   }
 };
 
-/// Appends the segments of those columns of the view that are scan lines of the grid. `labels` are the final ones, in the order of the caller's arrays.
+/// Appends the segments of those columns of the view that are scan lines of the grid. `labels` are the final ones, in
+/// the order of the caller's arrays.
 void appendSegments(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& segment_of,
                     const std::vector<std::int32_t>& labels, std::vector<LineSegment>& segments);
 
