@@ -21,6 +21,7 @@ using Labels = hn::Rebind<std::int32_t, Floats>;
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(Floats()));
 
 /// The pixels [begin, end) of one label; a whole vector may be written beyond the end, but not beyond the row.
+template <bool kPolynomial>
 HWY_INLINE void LabelRun(const PixelRow& row, std::int32_t label, int begin, int end, std::int32_t* labels) {
   const Floats d;
   const Labels di;
@@ -44,9 +45,12 @@ HWY_INLINE void LabelRun(const PixelRow& row, std::int32_t label, int begin, int
                                   hn::Mul(q_forward, hn::LoadU(d, forward_at)));
     const auto m = hn::Mul(w, scale);
     const auto m2 = hn::Mul(m, m);
-    const auto polynomial = hn::Add(k1, hn::Mul(m, hn::Add(k2, hn::Mul(m, k3))));
     const auto axial = hn::Add(b2, hn::Mul(hn::Mul(a2, m2), m2));
-    const auto variance = hn::Max(hn::Add(hn::Mul(polynomial, polynomial), axial), hn::Mul(place2, m2));
+    auto variance = hn::Max(axial, hn::Mul(place2, m2));
+    if (kPolynomial) {
+      const auto polynomial = hn::Add(k1, hn::Mul(m, hn::Add(k2, hn::Mul(m, k3))));
+      variance = hn::Max(hn::Add(hn::Mul(polynomial, polynomial), axial), variance);
+    }
     const auto residual = hn::Mul(hn::Sub(w, expected), scale);
     const auto on_plane = hn::Le(hn::Mul(residual, residual), hn::Mul(limit, variance));
     return hn::IfThenElseZero(hn::RebindMask(di, hn::And(on_plane, hn::Gt(w, hn::Zero(d)))), own);
@@ -66,13 +70,31 @@ HWY_INLINE void LabelRun(const PixelRow& row, std::int32_t label, int begin, int
   for (int k = 0; i + k < end; ++k) labels[i + k] = rest[k];
 }
 
-void LabelMembers(const PixelRow* pixels, std::int32_t* labels) {
-  const PixelRow& row = *pixels;
+/// Pixels of no label need no test.
+HWY_INLINE void ClearRun(int begin, int end, std::int32_t* labels) {
+  for (int i = begin; i < end; ++i) labels[i] = 0;
+}
+
+template <bool kPolynomial>
+HWY_INLINE void LabelRow(const PixelRow& row, std::int32_t* labels) {
   for (int begin = 0, end = 0; begin < row.samples; begin = end) {
     const std::int32_t label = row.sample_labels[begin];
     while (end < row.samples && row.sample_labels[end] == label) ++end;
-    LabelRun(row, label, begin * row.stride, end < row.samples ? end * row.stride : row.width, labels);
+    const int pixel_begin = begin * row.stride;
+    const int pixel_end = end < row.samples ? end * row.stride : row.width;
+    if (label == 0)
+      ClearRun(pixel_begin, pixel_end, labels);
+    else
+      LabelRun<kPolynomial>(row, label, pixel_begin, pixel_end, labels);
   }
+}
+
+void LabelMembers(const PixelRow* row, std::int32_t* labels) {
+  const InverseDepthNoise& noise = *row->noise;
+  if (noise.k1 == 0.0 && noise.k2 == 0.0 && noise.k3 == 0.0)
+    LabelRow<false>(*row, labels);
+  else
+    LabelRow<true>(*row, labels);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -7,10 +7,19 @@
 
 #include "epcc_segmentation/parameters.h"
 #include "inverse_depth/block_membership.h"
+#include "inverse_depth/border_pixels.h"
 #include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/label_borders.h"
 #include "inverse_depth/region_map.h"
 
 namespace epcc {
+
+/// A thread's memory of the border that it looks at.
+struct BorderMemory {
+  RowBits borders;
+  PixelList places;
+  BorderQuestions questions;
+};
 
 /// A sample stands for the block of pixels around it: stride x stride, more at the right and lower edge. Its pixels
 /// that lie on the sample's plane take its label; then those of blocks that border on another label compare their own
@@ -25,8 +34,9 @@ class FullResolution {
  private:
   void takePlanes(const std::vector<PlaneMoments>& regions);
 
-  std::vector<float> across_, along_, forward_;  // rays
-  std::vector<PixelPlane> planes_;               // per label
+  std::vector<float> across_, along_, forward_, scale_;
+  std::vector<PixelPlane> planes_;           // per label
+  std::vector<BorderMemory> border_memory_;  // per thread
 };
 
 }  // namespace epcc

@@ -98,7 +98,7 @@ void InverseDepthPipeline::joinOccluded() {
 }
 
 void InverseDepthPipeline::rejectThin() {
-  epcc::rejectThin(*image_, grid_parameters_, grid_sensor_, stride_, map_);
+  epcc::rejectThin(*image_, grid_parameters_, grid_sensor_, stride_, map_, thickness_);
 }
 
 void InverseDepthPipeline::labelPixels() {

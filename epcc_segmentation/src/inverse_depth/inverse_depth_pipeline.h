@@ -18,6 +18,7 @@
 #include "inverse_depth/region_contacts.h"
 #include "inverse_depth/region_map.h"
 #include "inverse_depth/region_merging.h"
+#include "inverse_depth/thickness.h"
 #include "plane_fit_samples.h"
 
 namespace epcc {
@@ -70,6 +71,7 @@ class InverseDepthPipeline {
   RegionContacts contacts_;
   RegionMerger merger_;
   RefinementMemory refinement_;
+  ThicknessMemory thickness_;
   FullResolution full_resolution_;
   std::vector<std::int32_t> pixel_labels_;
 };

@@ -17,39 +17,56 @@ constexpr double kSamplesOfUnit = 30.0;      // a region of so many independent 
 constexpr double kMaxPixelsPerSample = 100;  // else long blotches would excuse anything
 
 /// Border of each label, in edges of the grid.
-std::vector<double> borderLengths(const InverseDepthImage& image, const RegionMap& map) {
-  std::vector<double> length(map.regions.size() + 1, 0.0);
-  const auto meet = [&](std::size_t a, std::size_t b) {
-    const std::int32_t label_a = map.labels[a], label_b = map.labels[b];
-    if (label_a == label_b) return;
-    length[static_cast<std::size_t>(label_a)] += image.w[b] > 0.0f ? 1.0 : kHoleEdge;
-    length[static_cast<std::size_t>(label_b)] += image.w[a] > 0.0f ? 1.0 : kHoleEdge;
-  };
-  const auto width = static_cast<std::size_t>(image.width);
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column) {
-      const std::size_t pixel = image.index(row, column);
-      if (column + 1 < image.width) meet(pixel, pixel + 1);
-      if (row + 1 < image.height) meet(pixel, pixel + width);
-    }
-  return length;
-}
+class BorderLengths {
+ public:
+  BorderLengths(const InverseDepthImage& image, const RegionMap& map, ThicknessMemory& memory)
+      : image_(image), labels_(map.labels.data()), length_(memory.border), borders_(memory.borders) {
+    length_.assign(map.regions.size() + 1, 0.0);
+    borders_.resize(image.width);
+    for (int row = 0; row < image.height; ++row) addRow(row, memory.pixels);
+  }
+
+ private:
+  void addRow(int row, PixelList& pixels) {
+    borders_.mark(labels_, image_.width, image_.height, row);
+    const std::size_t start = image_.index(row, 0);
+    const auto visit = [&](const RowBits& bits, std::size_t step) {
+      pixels.clear(image_.width);
+      for (std::size_t word = 0; word < bits.size(); ++word) pixels.add(bits[word], word);
+      for (const int column : pixels) meet(start + static_cast<std::size_t>(column), step);
+    };
+    visit(borders_.left, 1);
+    visit(borders_.above, static_cast<std::size_t>(image_.width));
+  }
+
+  void meet(std::size_t pixel, std::size_t step) {
+    const std::size_t before = pixel - step;
+    length_[static_cast<std::size_t>(labels_[pixel])] += image_.w[before] > 0.0f ? 1.0 : kHoleEdge;
+    length_[static_cast<std::size_t>(labels_[before])] += image_.w[pixel] > 0.0f ? 1.0 : kHoleEdge;
+  }
+
+  const InverseDepthImage& image_;
+  const std::int32_t* labels_;
+  std::vector<double>& length_;
+  RowBorders& borders_;
+};
 
 }  // namespace
 
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                int stride, RegionMap& map) {
+                int stride, RegionMap& map, ThicknessMemory& memory) {
   const double min_thickness = parameters.expert.evidence.min_thickness;
   if (min_thickness <= 0.0) return;
-  const std::vector<double> border = borderLengths(image, map);
+  const BorderLengths lengths(image, map, memory);
   const double pixels_per_sample = std::min(sensor.pixelsPerSample(), kMaxPixelsPerSample / (stride * stride));
-  std::vector<std::int32_t> new_label(map.regions.size() + 1, 0);
+  std::vector<std::int32_t>& new_label = memory.new_label;
+  new_label.assign(map.regions.size() + 1, 0);
   for (std::size_t k = 0; k < map.regions.size(); ++k) {
     PlaneMoments& region = map.regions[k];
     if (region.n <= 0.0) continue;
     const RegionPlane plane(region);
     const double chi2 = std::max(kMinChi2, plane.rss / (region.n * plane.slope_factor));
-    const double thickness = stride * region.n / std::max(border[k + 1], 1e-9);
+    const double thickness = stride * region.n / std::max(memory.border[k + 1], 1e-9);
     const double samples = region.n / pixels_per_sample;
     if (thickness >= min_thickness * std::pow(chi2, kPower) * std::pow(samples / kSamplesOfUnit, -kPower))
       new_label[k + 1] = static_cast<std::int32_t>(k + 1);

@@ -4,9 +4,18 @@
 
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/label_borders.h"
 #include "inverse_depth/region_map.h"
 
 namespace epcc {
+
+/// Kept from frame to frame.
+struct ThicknessMemory {
+  RowBorders borders;
+  PixelList pixels;
+  std::vector<double> border;
+  std::vector<std::int32_t> new_label;
+};
 
 /// Unlabels the regions that are thinner than a plane of their size and roughness would be: t = n / P with P the
 /// border, an edge to a pixel with depth counting 1, to a hole a quarter, the image's edge nothing. Kept is
@@ -14,6 +23,6 @@ namespace epcc {
 /// in pixels, L the pixels that an independent sample covers, at most 100. `stride` is that of the grid of `image`,
 /// `sensor` in pixels of it.
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                int stride, RegionMap& map);
+                int stride, RegionMap& map, ThicknessMemory& memory);
 
 }  // namespace epcc

@@ -31,10 +31,11 @@ bool stays(const RenderedRoom& room, const Inside& inside, double min_thickness 
   std::vector<std::int32_t> labels;
   for (int row = 0; row < kHeight; ++row)
     for (int column = 0; column < kWidth; ++column) labels.push_back(inside(row, column) ? 1 : 0);
+  epcc::ThicknessMemory memory;
   RegionMap map = epcc::test::regionsOf(image, labels, 1);
   InverseDepthParameters parameters;
   parameters.expert.evidence.min_thickness = min_thickness;
-  epcc::rejectThin(image, parameters, kSensor, 1, map);
+  epcc::rejectThin(image, parameters, kSensor, 1, map, memory);
   const bool left = map.regions[0].n > 0.0;
   for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(map.labels[i], left ? labels[i] : 0);
   return left;
@@ -90,8 +91,9 @@ TEST(Thickness, TheGridChangesLittle) {
       for (int row = 0; row < grid.height; ++row)
         for (int column = 0; column < grid.width; ++column)
           labels.push_back(square(row * stride, column * stride) ? 1 : 0);
+      epcc::ThicknessMemory memory;
       RegionMap map = epcc::test::regionsOf(grid, labels, 1);
-      epcc::rejectThin(grid, parameters, sensor.withCorrelationLength(4.0 / stride), stride, map);
+      epcc::rejectThin(grid, parameters, sensor.withCorrelationLength(4.0 / stride), stride, map, memory);
       left.push_back(map.regions[0].n > 0.0);
     }
     EXPECT_EQ(left[0], left[1]) << min_thickness;
