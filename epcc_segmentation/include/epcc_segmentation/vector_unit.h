@@ -9,8 +9,9 @@
 
 namespace epcc {
 
-/// The units that this processor has and the library was built for, the fastest first: of `avx512`, `avx2`, `sse4` and
-/// `sse2` on x86-64, `neon` on arm64.
+/// The units that this processor has and the library was built for, the fastest first: of `avx512`, `avx2`, `sse4`,
+/// `ssse3` and `sse2` on x86-64, `neon` on arm64. `sse2` is the fallback for processors before 2006 and has no vectors
+/// of its own: what the compiler makes of plain loops.
 EPCC_CORE_EXPORT std::vector<std::string> vectorUnits();
 
 /// The one in use: the fastest, or the one that the environment variable EPCC_VECTOR_UNIT named when the process began.

@@ -18,11 +18,9 @@ struct Unit {
 
 /// Those the kernels are built for and the processor has, the fastest first.
 std::vector<Unit> units() {
-  constexpr Unit kAll[] = {{"avx512", HWY_AVX3},
-                           {"avx2", HWY_AVX2},
-                           {"sse4", HWY_SSE4},
-                           {"neon", HWY_NEON},
-                           {HWY_ARCH_X86 != 0 ? "sse2" : "portable", HWY_STATIC_TARGET}};
+  constexpr Unit kAll[] = {{"avx512", HWY_AVX3}, {"avx2", HWY_AVX2},
+                           {"sse4", HWY_SSE4},   {"ssse3", HWY_SSSE3},
+                           {"neon", HWY_NEON},   {HWY_ARCH_X86 != 0 ? "sse2" : "portable", HWY_STATIC_TARGET}};
   // The baseline is not among what Highway detects: every processor has it.
   const std::int64_t available = HWY_TARGETS & (hwy::SupportedTargets() | HWY_STATIC_TARGET);
   std::vector<Unit> result;
