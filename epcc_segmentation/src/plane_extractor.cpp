@@ -124,7 +124,7 @@ int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& re
 
 int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result) {
   StopWatch watch;
-  workspace_->image.read(frame);
+  workspace_->image.read(frame, parameters_.threads);
   times_.read = watch.lap();
   if (measures_sensor_) sensor_ = workspace_->estimator.update(workspace_->image).model();
   times_.sensor = watch.lap();
@@ -159,7 +159,7 @@ void PlaneExtractor::listSegments(const DepthFrame& frame, PlaneSegmentation& re
 // The paper mode has no use for the inverse depths but this.
 void PlaneExtractor::measureSensor(const DepthFrame& frame) {
   StopWatch watch;
-  if (workspace_->estimator.isDue(frame.width(), frame.height())) workspace_->image.read(frame);
+  workspace_->image.read(frame, parameters_.threads);
   times_.read = watch.lap();
   sensor_ = workspace_->estimator.update(workspace_->image).model();
   times_.sensor = watch.lap();

@@ -44,8 +44,8 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   /// For the frames to come. What is out of range shows in extract().
   void setParameters(const Parameters& parameters);
   void setSensor(const SensorModel& sensor);
-  /// The sensor model is measured on the frames and settles over a stream of them; then every fourth is measured
-  /// (SensorEstimator). Starts afresh.
+  /// The sensor model is measured on the frames and settles over a stream of them; then each measures a quarter of the
+  /// blocks (SensorEstimator). Starts afresh.
   void setSensorAuto();
 
   /// Segments one frame. Returns true on success; otherwise the result has no planes (all labels 0, or no labels if

@@ -58,8 +58,6 @@ class EPCC_CORE_EXPORT SensorEstimator {
   SensorEstimate update(const DepthFrame& frame);
   /// The same of a frame that has been read.
   SensorEstimate update(const InverseDepthImage& image);
-  /// Whether something will be measured on the next frame, of this size in pixels: always so.
-  bool isDue(int width, int height) const;
   /// Image blocks that the last update looked at, flat or not: what it cost.
   std::size_t blocksLookedAt() const;
   void reset();

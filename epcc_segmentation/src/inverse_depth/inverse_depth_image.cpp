@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "inverse_depth/depth_inversion.h"
+#include "parallel_for.h"
 
 namespace epcc {
 
@@ -35,7 +36,7 @@ void fillUnseen(const std::vector<double>& count, std::vector<double>& coordinat
 
 }  // namespace
 
-void InverseDepthImage::read(const DepthFrame& frame) {
+void InverseDepthImage::read(const DepthFrame& frame, int threads) {
   width = frame.width();
   height = frame.height();
   planar_rows = isPerspective(frame.projection());
@@ -45,19 +46,22 @@ void InverseDepthImage::read(const DepthFrame& frame) {
   along.assign(static_cast<std::size_t>(height), 0.0);
   measured_scale.assign(static_cast<std::size_t>(height), 1.0);
   if (frame.isPinhole())
-    readDepths(frame);
+    readDepths(frame, threads);
   else
     readPoints(frame);
 }
 
-void InverseDepthImage::readDepths(const DepthFrame& frame) {
+void InverseDepthImage::readDepths(const DepthFrame& frame, int threads) {
   const auto columns = static_cast<std::size_t>(width);
-  row_depths_.resize(columns);
-  for (int r = 0; r < height; ++r) {
-    along[static_cast<std::size_t>(r)] = frame.pinholeAlong(r);
-    frame.depthRow(r, row_depths_.data());
-    invertDepths(row_depths_.data(), columns, w.data() + static_cast<std::size_t>(r) * columns);
-  }
+  row_depths_.resize(columns * static_cast<std::size_t>(std::max(1, threads)));
+  parallelFor(height, threads, [&](int thread, int begin, int end) {
+    float* depths = row_depths_.data() + static_cast<std::size_t>(thread) * columns;
+    for (int r = begin; r < end; ++r) {
+      along[static_cast<std::size_t>(r)] = frame.pinholeAlong(r);
+      frame.depthRow(r, depths);
+      invertDepths(depths, columns, w.data() + static_cast<std::size_t>(r) * columns);
+    }
+  });
   for (std::size_t c = 0; c < columns; ++c) across[c] = frame.pinholeAcross(static_cast<int>(c));
 }
 

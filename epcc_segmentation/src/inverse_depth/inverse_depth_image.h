@@ -62,22 +62,22 @@ struct InverseDepthImage {
   double placeVariance() const;
 
   /// Reads a frame; memory is reused. Cloud rays are estimated per row and column from the points.
-  void read(const DepthFrame& frame);
+  void read(const DepthFrame& frame, int threads = 1);
   /// Takes every stride-th row and column of an image, from stride / 2 on; at least one of each.
   void sample(const InverseDepthImage& image, int stride);
-  /// What the sensor says of it: noise and weights. A value may come from anywhere within
-  /// its pixel, the one that was measured: on an image that was sampled, place_variance is that of the original.
+  /// What the sensor says of it: noise and weights. A value may come from anywhere within its pixel, the one that was
+  /// measured: on an image that was sampled, place_variance is that of the original.
   void weigh(const SensorModel& sensor, double place_variance);
   void weigh(const SensorModel& sensor) { weigh(sensor, placeVariance()); }
 
  private:
-  void readDepths(const DepthFrame& frame);
+  void readDepths(const DepthFrame& frame, int threads);
   void readPoints(const DepthFrame& frame);
   void readScan(const DepthFrame& frame);
 
   PerspectivePoints points_;
   std::vector<double> column_count_, row_count_;  // valid points of a cloud
-  std::vector<float> row_depths_;
+  std::vector<float> row_depths_;  // a row for each thread
 };
 
 /// How many of `count` values are samples: every stride-th from stride / 2 on; never none.

@@ -146,10 +146,6 @@ SensorEstimate SensorEstimator::update(const InverseDepthImage& image) {
   return stream_->summary;
 }
 
-bool SensorEstimator::isDue(int, int) const {
-  return true;
-}
-
 std::size_t SensorEstimator::blocksLookedAt() const {
   return stream_->looked_at;
 }

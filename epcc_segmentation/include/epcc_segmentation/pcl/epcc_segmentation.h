@@ -77,7 +77,7 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   void setSensorModel(const SensorModel& sensor) { extractor_.setSensor(sensor); }
   /// By name, see SensorModel::presetNames(), or "auto". False, and nothing is changed, for an unknown name.
   bool setSensorModel(const std::string& preset_name);
-  /// The model is measured on the clouds and settles over a stream of them; then every fourth is measured
+  /// The model is measured on the clouds and settles over a stream of them; then each measures a quarter of the blocks
   /// (SensorEstimator).
   void setSensorModelAuto() { extractor_.setSensorAuto(); }
   /// The model that was set, or that the last call measured.
