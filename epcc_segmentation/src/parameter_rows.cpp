@@ -50,7 +50,7 @@ std::vector<ParameterField> inverseDepthFields() {
       number(
           EPCC_FIELD(inverse_depth.stride), 0, 8, "pixels",
           "Grid of the samples that the planes are found on, every so many rows and columns; the labels are those of "
-          "all pixels. 0: by the width, one for every 320 pixels",
+          "all pixels. 0: by the longer side, one for every 320 pixels",
           "time matters more than small faces", "faces of a few pixels matter more than time"),
       number(
           EPCC_FIELD(inverse_depth.line_k_max), kAboveZero, 100, "sigma_w",
@@ -166,11 +166,12 @@ std::vector<ParameterField> inverseDepthFields() {
       number(EPCC_FIELD(inverse_depth.expert.evidence.bending_evidence), 0, 1e6, "independent samples",
              "Reduction of the squared residuals, in sigma^2 per independent sample, that bending must be worth",
              "planes are rejected for the bending of the sensor", "facets of curved things are reported"),
-      number(
-          EPCC_FIELD(inverse_depth.expert.evidence.min_thickness), 0, 1e6, "pixels",
-          "Thickness, pixels over pixels of border, that a plane of 30 independent samples and chi^2 = 1 needs (S9); "
-          "larger and smoother ones need less. 0 keeps all",
-          "ragged pieces of clutter are reported", "frames, rails and other narrow planes are missing"),
+      number(EPCC_FIELD(inverse_depth.expert.evidence.min_thickness), 0, 1e6, "pixels",
+             "Thickness, pixels over pixels of border, that a plane of 30 independent samples and chi^2 = 1 needs "
+             "where the "
+             "image's longer side is 640 (S9); larger and smoother planes need less, finer images more pixels. 0 keeps "
+             "all",
+             "ragged pieces of clutter are reported", "frames, rails and other narrow planes are missing"),
   };
 }
 

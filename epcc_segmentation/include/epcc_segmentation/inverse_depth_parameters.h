@@ -12,8 +12,8 @@ struct InverseDepthParameters {
   int min_points = 60;
 
   /// Grid of the samples that the planes are found on, every so many rows and columns; the labels are those of all
-  /// pixels. 0: by the width, one for every 320 pixels. [0, 8] pixels, default 0. Raise it if time matters more than
-  /// small faces; lower it if faces of a few pixels matter more than time.
+  /// pixels. 0: by the longer side, one for every 320 pixels. [0, 8] pixels, default 0. Raise it if time matters more
+  /// than small faces; lower it if faces of a few pixels matter more than time.
   int stride = 0;
 
   /// Gate of a line segment (S1): a sample belongs to it within so many standard deviations of the sensor model.
@@ -184,9 +184,10 @@ struct InverseDepthParameters {
     /// facets of curved things are reported.
     double bending_evidence = 5.0;
 
-    /// Thickness, pixels over pixels of border, that a plane of 30 independent samples and chi^2 = 1 needs (S9); larger
-    /// and smoother ones need less. 0 keeps all. [0, 1e6] pixels, default 4. Raise it if ragged pieces of clutter are
-    /// reported; lower it if frames, rails and other narrow planes are missing.
+    /// Thickness, pixels over pixels of border, that a plane of 30 independent samples and chi^2 = 1 needs where the
+    /// image's longer side is 640 (S9); larger and smoother planes need less, finer images more pixels. 0 keeps all.
+    /// [0, 1e6] pixels, default 4. Raise it if ragged pieces of clutter are reported; lower it if frames, rails and
+    /// other narrow planes are missing.
     double min_thickness = 4.0;
   };
 

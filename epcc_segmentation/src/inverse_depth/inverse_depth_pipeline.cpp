@@ -28,7 +28,7 @@ void InverseDepthPipeline::configure(const Parameters& parameters, const SensorM
 }
 
 void InverseDepthPipeline::begin(InverseDepthImage& image) {
-  stride_ = strideFor(image.width, parameters_.inverse_depth.stride);
+  stride_ = strideFor(std::max(image.width, image.height), parameters_.inverse_depth.stride);
   grid_parameters_ = onGrid(parameters_.inverse_depth, stride_);
   grid_sensor_ = onGrid(sensor_, stride_);
   InverseDepthImage& grid = stride_ > 1 ? samples_ : image;

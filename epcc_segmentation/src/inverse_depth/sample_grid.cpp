@@ -18,9 +18,9 @@ int nearest(int pixels, int stride, int least) {
 
 }  // namespace
 
-int strideFor(int width, int stride) {
+int strideFor(int longer_side, int stride) {
   if (stride > 0) return stride;
-  return std::clamp(static_cast<int>(std::lround(width / kPixelsPerStride)), 1, kMaxDefaultStride);
+  return std::clamp(static_cast<int>(std::lround(longer_side / kPixelsPerStride)), 1, kMaxDefaultStride);
 }
 
 InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int stride) {

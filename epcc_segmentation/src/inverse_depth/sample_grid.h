@@ -7,9 +7,9 @@
 
 namespace epcc {
 
-/// The stride itself, or the default for an image of this width: one for every 320 pixels, 1 to 4. The sensor's error
-/// is correlated, and where it is not it is small faces, not the number of samples, that limit what is found.
-int strideFor(int width, int stride);
+/// The stride itself, or the default for an image of this longer side: one for every 320 pixels, 1 to 4. The sensor's
+/// error is correlated, and where it is not it is small faces, not the number of samples, that limit what is found.
+int strideFor(int longer_side, int stride);
 
 /// Parameters and sensor in samples of the grid, from those in pixels. What counts independent samples, ratios or sigma
 /// stays.

@@ -13,6 +13,7 @@ namespace {
 constexpr double kHoleEdge = 0.25;  // a hole says little about where a surface ends
 constexpr double kMinChi2 = 0.05;   // of a sensor model that is far too wide
 constexpr double kPower = 0.6;
+constexpr double kColumnsOfUnit = 640.0;     // min_thickness is in pixels of an image so wide
 constexpr double kSamplesOfUnit = 30.0;      // a region of so many independent samples needs min_thickness
 constexpr double kMaxPixelsPerSample = 100;  // else long blotches would excuse anything
 
@@ -56,24 +57,27 @@ class BorderLengths {
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
                 int stride, RegionMap& map, ThicknessMemory& memory) {
   const double min_thickness = parameters.expert.evidence.min_thickness;
-  if (min_thickness <= 0.0) return;
   const BorderLengths lengths(image, map, memory);
+  // A finer image of the same scene has as many pixels more in its thickness.
+  const double unit = stride * std::max(image.width, image.height) / kColumnsOfUnit;
   const double pixels_per_sample = std::min(sensor.pixelsPerSample(), kMaxPixelsPerSample / (stride * stride));
-  std::vector<std::int32_t>& new_label = memory.new_label;
-  new_label.assign(map.regions.size() + 1, 0);
-  for (std::size_t k = 0; k < map.regions.size(); ++k) {
-    PlaneMoments& region = map.regions[k];
-    if (region.n <= 0.0) continue;
+  const auto isThick = [&](const PlaneMoments& region, double border) {
     const RegionPlane plane(region);
     const double chi2 = std::max(kMinChi2, plane.rss / (region.n * plane.slope_factor));
-    const double thickness = stride * region.n / std::max(memory.border[k + 1], 1e-9);
     const double samples = region.n / pixels_per_sample;
-    if (thickness >= min_thickness * std::pow(chi2, kPower) * std::pow(samples / kSamplesOfUnit, -kPower))
-      new_label[k + 1] = static_cast<std::int32_t>(k + 1);
-    else
-      region = PlaneMoments();
+    return stride * region.n >=
+           unit * border * min_thickness * std::pow(chi2, kPower) * std::pow(samples / kSamplesOfUnit, -kPower);
+  };
+  memory.new_label.assign(map.regions.size() + 1, 0);
+  std::int32_t kept = 0;
+  for (std::size_t k = 0; k < map.regions.size(); ++k) {
+    const PlaneMoments region = map.regions[k];
+    if (region.n <= 0.0 || !isThick(region, memory.border[k + 1])) continue;
+    map.regions[static_cast<std::size_t>(kept)] = region;
+    memory.new_label[k + 1] = ++kept;
   }
-  map.relabel(new_label);
+  map.regions.resize(static_cast<std::size_t>(kept));
+  map.relabel(memory.new_label);
 }
 
 }  // namespace epcc

@@ -21,7 +21,7 @@ struct ThicknessMemory {
 /// border, an edge to a pixel with depth counting 1, to a hole a quarter, the image's edge nothing. Kept is
 ///   t >= min_thickness chi^1.2 (n / (30 L))^-0.6,
 /// in pixels, L the pixels that an independent sample covers, at most 100. `stride` is that of the grid of `image`,
-/// `sensor` in pixels of it.
+/// `sensor` in pixels of it. What is left is numbered anew, without gaps.
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
                 int stride, RegionMap& map, ThicknessMemory& memory);
 

@@ -36,7 +36,7 @@ bool stays(const RenderedRoom& room, const Inside& inside, double min_thickness 
   InverseDepthParameters parameters;
   parameters.expert.evidence.min_thickness = min_thickness;
   epcc::rejectThin(image, parameters, kSensor, 1, map, memory);
-  const bool left = map.regions[0].n > 0.0;
+  const bool left = !map.regions.empty();
   for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(map.labels[i], left ? labels[i] : 0);
   return left;
 }
@@ -75,6 +75,20 @@ TEST(Thickness, RoughRegionsMustBeThicker) {
   EXPECT_FALSE(stays(rough, band));
 }
 
+TEST(Thickness, WhatIsLeftIsNumberedWithoutGaps) {
+  const InverseDepthImage image = epcc::test::imageOf(wall(), kSensor);
+  std::vector<std::int32_t> labels;
+  for (int row = 0; row < kHeight; ++row)
+    for (int column = 0; column < kWidth; ++column) labels.push_back(comb(row, column) ? 2 : column < 30 ? 5 : 0);
+  epcc::ThicknessMemory memory;
+  RegionMap map = epcc::test::regionsOf(image, labels, 7);
+  const double n = map.regions[4].n;
+  epcc::rejectThin(image, InverseDepthParameters(), kSensor, 1, map, memory);
+  ASSERT_EQ(map.regions.size(), 1u);
+  EXPECT_EQ(map.regions[0].n, n);
+  for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(map.labels[i], labels[i] == 5 ? 1 : 0);
+}
+
 TEST(Thickness, TheGridChangesLittle) {
   const InverseDepthImage image = epcc::test::imageOf(wall(), kSensor);
   InverseDepthImage samples;
@@ -94,7 +108,7 @@ TEST(Thickness, TheGridChangesLittle) {
       epcc::ThicknessMemory memory;
       RegionMap map = epcc::test::regionsOf(grid, labels, 1);
       epcc::rejectThin(grid, parameters, sensor.withCorrelationLength(4.0 / stride), stride, map, memory);
-      left.push_back(map.regions[0].n > 0.0);
+      left.push_back(!map.regions.empty());
     }
     EXPECT_EQ(left[0], left[1]) << min_thickness;
   }
