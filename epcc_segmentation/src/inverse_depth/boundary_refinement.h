@@ -25,7 +25,7 @@ enum class Verdict : std::uint8_t { Residual, Keep, Flip };
 /// Lists as long as the borders, kept from frame to frame.
 struct RefinementMemory {
   struct Pixel {
-    std::int32_t row, column;
+    std::int32_t index, row, column;
   };
   struct Change {
     Pixel pixel;
