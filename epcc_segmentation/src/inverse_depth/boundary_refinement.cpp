@@ -21,7 +21,9 @@ class Refiner {
         labels_(map.labels.data()),
         words_(wordsOf(image.width)),
         memory_(memory),
-        frontier_(memory.frontier) {
+        frontier_(memory.frontier),
+        moves_(map.moves) {
+    moves_.begin(map.regions.size());
     memory_.planes.assign(map.regions.size() + 1, RefinedPlane());
     for (std::size_t k = 0; k < map.regions.size(); ++k) {
       if (map.regions[k].n <= 0.0) continue;
@@ -253,6 +255,7 @@ class Refiner {
   void applyChanges() {
     for (const RefinementMemory::Change& change : memory_.changes) {
       const auto [index, row, column] = change.pixel;
+      moves_.move(image_, row, column, labels_[index], change.label);
       labels_[index] = change.label;
       lookAgainAt(row, column);
       if (column > 0) lookAgainAt(row, column - 1);
@@ -274,6 +277,7 @@ class Refiner {
   std::size_t words_;  // of a row's bits
   RefinementMemory& memory_;
   std::vector<Pixel>& frontier_;
+  MomentMoves& moves_;
   bool use_creases_ = true;
 };
 
@@ -282,6 +286,7 @@ class Refiner {
 void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map,
                       RefinementMemory& memory) {
   Refiner(image, parameters, map, memory).run();
+  map.applyMoves(image);
 }
 
 }  // namespace epcc

@@ -61,7 +61,7 @@ struct RefinementMemory {
   std::size_t frontier_count = 0, candidate_count = 0, at_crease_count = 0;
 };
 
-/// Refines the labels with the planes of the regions' present moments; the moments are not updated.
+/// Refines the labels with the planes of the regions' present moments, then brings the moments up to date.
 void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map,
                       RefinementMemory& memory);
 

@@ -82,7 +82,6 @@ void InverseDepthPipeline::mergeRegions() {
 
 void InverseDepthPipeline::refineBoundaries() {
   epcc::refineBoundaries(*image_, grid_parameters_, map_, refinement_);
-  map_.accumulate(*image_);
   mergeRegions();  // S6
 }
 
