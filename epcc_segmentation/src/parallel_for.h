@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 
 #include "worker_pool.h"
 
@@ -17,9 +18,10 @@ void parallelFor(int count, int threads, const Work& work) {
   const int parts = std::max(1, std::min(threads, count));
   const auto bound = [&](int part) { return static_cast<int>(static_cast<long>(count) * part / parts); };
   std::atomic<int> next{0};
-  onWorkers(parts, [&] {
+  const auto take = [&] {
     for (int part = next++; part < parts; part = next++) work(part, bound(part), bound(part + 1));
-  });
+  };
+  onWorkers(parts, std::ref(take));  // a function object of its own would be allocated
 }
 
 }  // namespace epcc

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace epcc {
@@ -20,7 +21,9 @@ class Refiner {
         labels_(map.labels.data()),
         words_(wordsOf(image.width)),
         memory_(memory),
-        frontier_(memory.frontier) {
+        frontier_(memory.frontier),
+        moves_(map.moves) {
+    moves_.begin(map.regions.size());
     memory_.planes.assign(map.regions.size() + 1, RefinedPlane());
     for (std::size_t k = 0; k < map.regions.size(); ++k) {
       if (map.regions[k].n <= 0.0) continue;
@@ -46,11 +49,11 @@ class Refiner {
   using Candidate = RefinementMemory::Candidate;
 
   const RefinedPlane& planeOf(std::int32_t label) const { return memory_.planes[static_cast<std::size_t>(label)]; }
-  double planeAt(std::int32_t label, Pixel pixel) const {
+  double planeAt(std::int32_t label, int row, int column) const {
     const RefinedPlane& plane = planeOf(label);
-    return plane.x * image_.across[static_cast<std::size_t>(pixel.column)] +
-           plane.y * image_.along[static_cast<std::size_t>(pixel.row)] +
-           plane.z * image_.forward[static_cast<std::size_t>(pixel.column)];
+    return plane.x * image_.across[static_cast<std::size_t>(column)] +
+           plane.y * image_.along[static_cast<std::size_t>(row)] +
+           plane.z * image_.forward[static_cast<std::size_t>(column)];
   }
 
   // ---- borders ----
@@ -86,27 +89,27 @@ class Refiner {
     memory_.list.clear(image_.width);
     for (std::size_t word = 0; word < left.size(); ++word)
       memory_.list.add(left[word] & labelled[word] & fromLeft(labelled, word), word);
-    for (const int column : memory_.list) voteCrease({row, column - 1}, {row, column});
+    for (const int column : memory_.list) voteCrease(row, column - 1, row, column);
     memory_.list.clear(image_.width);
     for (std::size_t word = 0; word < left.size(); ++word)
       memory_.list.add(above[word] & labelled[word] & memory_.upper_labelled[word], word);
-    for (const int column : memory_.list) voteCrease({row - 1, column}, {row, column});
+    for (const int column : memory_.list) voteCrease(row - 1, column, row, column);
   }
 
-  /// Votes on both sides of the border between a and b, b one step down or to the right.
-  void voteCrease(Pixel a, Pixel b) {
-    const int down = parameters_.crease_vote_pixels * (b.row - a.row);
-    const int right = parameters_.crease_vote_pixels * (b.column - a.column);
-    const std::int32_t label_a = labels_[image_.index(a.row, a.column)];
-    const std::int32_t label_b = labels_[image_.index(b.row, b.column)];
-    vote(label_a, label_b, {a.row - down, a.column - right});
-    vote(label_b, label_a, {b.row + down, b.column + right});
+  /// Votes on both sides of the border between two pixels, the second one step down or to the right.
+  void voteCrease(int row, int column, int other_row, int other_column) {
+    const int down = parameters_.crease_vote_pixels * (other_row - row);
+    const int right = parameters_.crease_vote_pixels * (other_column - column);
+    const std::int32_t label = labels_[image_.index(row, column)];
+    const std::int32_t other = labels_[image_.index(other_row, other_column)];
+    vote(label, other, row - down, column - right);
+    vote(other, label, other_row + down, other_column + right);
   }
 
-  void vote(std::int32_t own, std::int32_t other, Pixel pixel) {
-    if (pixel.row < 0 || pixel.row >= image_.height || pixel.column < 0 || pixel.column >= image_.width) return;
-    if (labels_[image_.index(pixel.row, pixel.column)] != own) return;
-    memory_.creases.add(own, other, planeAt(own, pixel) < planeAt(other, pixel));
+  void vote(std::int32_t own, std::int32_t other, int row, int column) {
+    if (row < 0 || row >= image_.height || column < 0 || column >= image_.width) return;
+    if (labels_[image_.index(row, column)] != own) return;
+    memory_.creases.add(own, other, planeAt(own, row, column) < planeAt(other, row, column));
   }
 
   // ---- frontier ----
@@ -118,6 +121,7 @@ class Refiner {
     memory_.choices.resize(kPart);
     memory_.candidates.resize(4 * kPart + 1);
     memory_.at_crease.resize(4 * kPart + 1);
+    memory_.changed.resize(kPart + 1);
     for (std::size_t begin = 0; begin < memory_.frontier_count; begin += kPart) {
       const Pixel* pixels = frontier_.data() + begin;
       listCandidates(pixels, std::min(kPart, memory_.frontier_count - begin));
@@ -141,9 +145,10 @@ class Refiner {
         bits[word] = 0;
       }
       frontier_.resize(std::max(frontier_.size(), count + static_cast<std::size_t>(image_.width) + 1));
-      const float* w = image_.w.data() + image_.index(row, 0);
+      const auto first = static_cast<std::int32_t>(image_.index(row, 0));
+      const float* w = image_.w.data() + first;
       for (const int column : memory_.list) {
-        frontier_[count] = {row, column};
+        frontier_[count] = {first + column, row, column};
         count += w[column] > 0.0f ? 1 : 0;
       }
     }
@@ -153,31 +158,39 @@ class Refiner {
   // The labels of the four neighbours, but none twice running. Each is written down and the count decides whether it
   // stays. Beyond the image is the pixel itself.
   void listCandidates(const Pixel* pixels, std::size_t pixel_count) {
-    Candidate* candidates = memory_.candidates.data();
-    std::size_t count = 0;
+    const std::ptrdiff_t line = image_.width;
+    const auto last_column = static_cast<unsigned>(image_.width - 2),
+               last_row = static_cast<unsigned>(image_.height - 2);
+    Choice* choice = memory_.choices.data();
+    Candidate* candidate = memory_.candidates.data();
     for (std::size_t k = 0; k < pixel_count; ++k) {
       const Pixel pixel = pixels[k];
-      const std::size_t index = image_.index(pixel.row, pixel.column);
-      const std::int32_t* label = labels_ + index;
+      const std::int32_t* label = labels_ + pixel.index;
       const std::int32_t current = *label;
-      memory_.choices[k] = {current, current, 0.0};
+      choice[k] = {current, current, 0.0};
+      std::ptrdiff_t left = -1, right = 1, up = -line, down = line;
       const bool inside =
-          pixel.column > 0 && pixel.column + 1 < image_.width && pixel.row > 0 && pixel.row + 1 < image_.height;
-      const std::int32_t* left = inside || pixel.column > 0 ? label - 1 : label;
-      const std::int32_t* right = inside || pixel.column + 1 < image_.width ? label + 1 : label;
-      const std::int32_t* up = inside || pixel.row > 0 ? label - image_.width : label;
-      const std::int32_t* down = inside || pixel.row + 1 < image_.height ? label + image_.width : label;
-      const std::int32_t neighbours[4] = {*left, *right, *up, *down};
+          static_cast<unsigned>(pixel.column - 1) < last_column && static_cast<unsigned>(pixel.row - 1) < last_row;
+      if (!inside) {
+        if (pixel.column == 0) left = 0;
+        if (pixel.column + 1 == image_.width) right = 0;
+        if (pixel.row == 0) up = 0;
+        if (pixel.row + 1 == image_.height) down = 0;
+      }
       std::int32_t last = 0;
-      for (const std::int32_t other : neighbours) {
-        candidates[count].choice = static_cast<std::int32_t>(k);
-        candidates[count].label = other;
+      const auto offer = [&](std::int32_t other) {
+        candidate->choice = static_cast<std::int32_t>(k);
+        candidate->label = other;
         const int counts = (other != 0) & (other != current) & (other != last);
         last ^= (last ^ other) & -counts;  // no branch
-        count += static_cast<std::size_t>(counts);
-      }
+        candidate += counts;
+      };
+      offer(label[left]);
+      offer(label[right]);
+      offer(label[up]);
+      offer(label[down]);
     }
-    memory_.candidate_count = count;
+    memory_.candidate_count = static_cast<std::size_t>(candidate - memory_.candidates.data());
   }
 
   void measureCandidates(const Pixel* pixels) {
@@ -186,10 +199,11 @@ class Refiner {
       Candidate& candidate = memory_.candidates[k];
       const Pixel pixel = pixels[candidate.choice];
       Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
-      const std::size_t index = image_.index(pixel.row, pixel.column);
+      const auto index = static_cast<std::size_t>(pixel.index);
       const auto w = static_cast<double>(image_.w[index]);
       const double inverse_sigma = std::sqrt(static_cast<double>(image_.weight[index]));
-      const double on_current = planeAt(choice.current, pixel), on_other = planeAt(candidate.label, pixel);
+      const double on_current = planeAt(choice.current, pixel.row, pixel.column);
+      const double on_other = planeAt(candidate.label, pixel.row, pixel.column);
       const double error = std::abs(w - on_current) * inverse_sigma * planeOf(choice.current).inverse_slope;
       candidate.error = choice.current != 0 ? error : parameters_.max_residual;
       candidate.other_error = std::abs(w - on_other) * inverse_sigma * planeOf(candidate.label).inverse_slope;
@@ -220,27 +234,29 @@ class Refiner {
   }
 
   void choose(const Pixel* pixels) {
-    memory_.changed.clear();
+    static constexpr double kOffer[2] = {std::numeric_limits<double>::infinity(), 0.0};
+    std::int32_t* changed = memory_.changed.data();
     for (std::size_t k = 0; k < memory_.candidate_count; ++k) {
       const Candidate& candidate = memory_.candidates[k];
       Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
       const double gain = choice.current != 0 ? parameters_.flip_gain : 0.0;
       const bool better = (candidate.other_error < candidate.error - gain) & (candidate.other_error < choice.least);
       const bool flips = (candidate.verdict == Verdict::Flip) | ((candidate.verdict == Verdict::Residual) & better);
-      if (!flips) continue;
-      if (choice.best == choice.current) memory_.changed.push_back(candidate.choice);
-      choice.best = candidate.label;
-      choice.least = std::min(choice.least, candidate.other_error);
+      *changed = candidate.choice;
+      changed += static_cast<int>(flips) & static_cast<int>(choice.best == choice.current);
+      choice.best ^= (choice.best ^ candidate.label) & -static_cast<std::int32_t>(flips);
+      choice.least = std::min(choice.least, candidate.other_error + kOffer[flips]);
     }
-    for (const std::int32_t k : memory_.changed)
-      memory_.changes.push_back({pixels[k], memory_.choices[static_cast<std::size_t>(k)].best});
+    for (const std::int32_t* k = memory_.changed.data(); k != changed; ++k)
+      memory_.changes.push_back({pixels[*k], memory_.choices[static_cast<std::size_t>(*k)].best});
   }
 
   // The pixels that changed and those beside them are the next frontier.
   void applyChanges() {
     for (const RefinementMemory::Change& change : memory_.changes) {
-      const auto [row, column] = change.pixel;
-      labels_[image_.index(row, column)] = change.label;
+      const auto [index, row, column] = change.pixel;
+      moves_.move(image_, row, column, labels_[index], change.label);
+      labels_[index] = change.label;
       lookAgainAt(row, column);
       if (column > 0) lookAgainAt(row, column - 1);
       if (column + 1 < image_.width) lookAgainAt(row, column + 1);
@@ -261,6 +277,7 @@ class Refiner {
   std::size_t words_;  // of a row's bits
   RefinementMemory& memory_;
   std::vector<Pixel>& frontier_;
+  MomentMoves& moves_;
   bool use_creases_ = true;
 };
 
@@ -269,6 +286,7 @@ class Refiner {
 void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map,
                       RefinementMemory& memory) {
   Refiner(image, parameters, map, memory).run();
+  map.applyMoves(image);
 }
 
 }  // namespace epcc

@@ -25,7 +25,7 @@ enum class Verdict : std::uint8_t { Residual, Keep, Flip };
 /// Lists as long as the borders, kept from frame to frame.
 struct RefinementMemory {
   struct Pixel {
-    std::int32_t row, column;
+    std::int32_t index, row, column;
   };
   struct Change {
     Pixel pixel;
@@ -61,7 +61,7 @@ struct RefinementMemory {
   std::size_t frontier_count = 0, candidate_count = 0, at_crease_count = 0;
 };
 
-/// Refines the labels with the planes of the regions' present moments; the moments are not updated.
+/// Refines the labels with the planes of the regions' present moments, then brings the moments up to date.
 void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map,
                       RefinementMemory& memory);
 

@@ -3,8 +3,7 @@
 #include "inverse_depth/evidence.h"
 
 #include <algorithm>
-
-#include "inverse_depth/surface_bending.h"
+#include <cstddef>
 
 namespace epcc {
 
@@ -38,24 +37,27 @@ bool isFacet(const Bending& bending, const InverseDepthParameters::Evidence& evi
 }  // namespace
 
 void rejectRegions(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                   RegionMap& map) {
+                   RegionMap& map, EvidenceMemory& memory) {
+  const InverseDepthParameters::Evidence& evidence = parameters.expert.evidence;
+  const double pixels_per_sample = sensor.pixelsPerSample();
   const std::size_t count = map.regions.size();
-  std::vector<std::uint8_t> plane(count, 0), may_bend(count, 0);
+  memory.is_plane.assign(count, 0);
+  memory.may_bend.assign(count, 0);
   for (std::size_t k = 0; k < count; ++k) {
-    plane[k] = map.regions[k].n > 0.0 && isPlane(map.regions[k], parameters, sensor);
-    may_bend[k] = plane[k] != 0 && mayBeFacet(map.regions[k], parameters.expert.evidence, sensor.pixelsPerSample());
+    const PlaneMoments& region = map.regions[k];
+    if (!(region.n > 0.0) || !isPlane(region, parameters, sensor)) continue;
+    memory.is_plane[k] = 1;
+    memory.may_bend[k] = mayBeFacet(region, evidence, pixels_per_sample) ? 1 : 0;
   }
-  const std::vector<Bending> bending = measureBending(image, map, may_bend);
+  measureBending(image, map, memory.may_bend, memory.bending);
 
-  std::vector<std::int32_t> new_label(count + 1, 0);
-  for (std::size_t k = 0; k < count; ++k) {
-    PlaneMoments& region = map.regions[k];
-    if (plane[k] != 0 && !isFacet(bending[k], parameters.expert.evidence, sensor.pixelsPerSample()))
-      new_label[k + 1] = static_cast<std::int32_t>(k + 1);
+  memory.new_label.assign(count + 1, 0);
+  for (std::size_t k = 0; k < count; ++k)
+    if (memory.is_plane[k] != 0 && !isFacet(memory.bending.bending[k], evidence, pixels_per_sample))
+      memory.new_label[k + 1] = static_cast<std::int32_t>(k + 1);
     else
-      region = PlaneMoments();
-  }
-  map.relabel(new_label);
+      map.regions[k] = PlaneMoments();
+  map.relabel(memory.new_label);
 }
 
 }  // namespace epcc

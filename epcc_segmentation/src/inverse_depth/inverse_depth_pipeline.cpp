@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "inverse_depth/boundary_refinement.h"
-#include "inverse_depth/evidence.h"
 #include "inverse_depth/region_merging.h"
 #include "inverse_depth/sample_grid.h"
 #include "inverse_depth/segment_records.h"
@@ -83,12 +82,11 @@ void InverseDepthPipeline::mergeRegions() {
 
 void InverseDepthPipeline::refineBoundaries() {
   epcc::refineBoundaries(*image_, grid_parameters_, map_, refinement_);
-  map_.accumulate(*image_);
   mergeRegions();  // S6
 }
 
 void InverseDepthPipeline::rejectClutter() {
-  rejectRegions(*image_, grid_parameters_, grid_sensor_, map_);
+  rejectRegions(*image_, grid_parameters_, grid_sensor_, map_, evidence_);
 }
 
 void InverseDepthPipeline::joinOccluded() {

@@ -13,6 +13,7 @@
 #include "inverse_depth/boundary_refinement.h"
 #include "inverse_depth/direction_joining.h"
 #include "inverse_depth/directional_planes.h"
+#include "inverse_depth/evidence.h"
 #include "inverse_depth/full_resolution.h"
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/region_contacts.h"
@@ -72,6 +73,7 @@ class InverseDepthPipeline {
   RegionMerger merger_;
   RefinementMemory refinement_;
   ThicknessMemory thickness_;
+  EvidenceMemory evidence_;
   FullResolution full_resolution_;
   std::vector<std::int32_t> pixel_labels_;
 };

@@ -50,8 +50,7 @@ class ContactSearch {
     for (int row = 0; row < image_.height; ++row) {
       memory_.borders.mark(labels_, image_.width, image_.height, row);
       listPixels();
-      for (const int column : memory_.left) addContact(row, column, row, column - 1);
-      for (const int column : memory_.above) addContact(row, column, row - 1, column);
+      addNeighbours(row);
       for (const int column : memory_.left_gap) meetAcross(row, column, row, lastLabelled(column), 1);
       for (const int column : memory_.above_gap)
         meetAcross(row, column, lastRow(column), column, static_cast<std::size_t>(image_.width));
@@ -86,6 +85,28 @@ class ContactSearch {
     std::uint64_t bits = memory_.borders.labelled[word] & ((std::uint64_t{1} << column % 64) - 1);
     while (bits == 0 && word > 0) bits = memory_.borders.labelled[--word];
     return bits == 0 ? -bridge_ - 2 : static_cast<int>(64 * word) + 63 - __builtin_clzll(bits);
+  }
+
+  /// The pixels that differ from the one to the left, and from the one above.
+  void addNeighbours(int row) {
+    const double* across = image_.across.data();
+    const double* forward = image_.forward.data();
+    const auto width = static_cast<std::ptrdiff_t>(image_.width);
+    const std::int32_t* label = labels_ + image_.index(row, 0);
+    const float* weight = image_.weight.data() + image_.index(row, 0);
+    const double along = image_.along[static_cast<std::size_t>(row)];
+    const auto weightOf = [weight](std::ptrdiff_t a, std::ptrdiff_t b) {
+      return 0.5 * (static_cast<double>(weight[a]) + static_cast<double>(weight[b]));
+    };
+    for (const int column : memory_.left)
+      contacts_[{label[column - 1], label[column]}].add(weightOf(column, column - 1),
+                                                        0.5 * (across[column] + across[column - 1]), along,
+                                                        0.5 * (forward[column] + forward[column - 1]));
+    if (row == 0) return;  // nothing is above
+    const double between = 0.5 * (along + image_.along[static_cast<std::size_t>(row) - 1]);
+    for (const int column : memory_.above)
+      contacts_[{label[column - width], label[column]}].add(weightOf(column, column - width), across[column], between,
+                                                            forward[column]);
   }
 
   void addContact(int row, int column, int other_row, int other_column) {

@@ -16,7 +16,14 @@ struct Contact {
   int count = 0;        ///< places
   double rays[6] = {};  ///< sum of ray ray^T / sigma^2 over them, the upper triangle: xx, xy, xz, yy, yz, zz
 
-  /// Adds one place, between two pixels.
+  /// Adds one place: its weight 1/sigma^2 and its ray.
+  void add(double weight, double x, double y, double z) {
+    const double wx = weight * x, wy = weight * y, wz = weight * z;
+    const double products[6] = {wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
+    for (int k = 0; k < 6; ++k) rays[k] += products[k];
+    ++count;
+  }
+  /// The place between two pixels.
   void add(const InverseDepthImage& image, int row, int column, int other_row, int other_column);
   Contact& operator+=(const Contact& other);
   /// Sum of (q . ray)^2 / sigma^2 over the places.
@@ -32,10 +39,7 @@ inline void Contact::add(const InverseDepthImage& image, int row, int column, in
   const double x = middle(image.across, column, other_column);
   const double y = middle(image.along, row, other_row);
   const double z = middle(image.forward, column, other_column);
-  const double wx = weight * x, wy = weight * y, wz = weight * z;
-  const double products[6] = {wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
-  for (int k = 0; k < 6; ++k) rays[k] += products[k];
-  ++count;
+  add(weight, x, y, z);
 }
 
 /// The contacts of pairs of regions. Keeps its memory from frame to frame.

@@ -38,6 +38,27 @@ void RegionMap::accumulate(const InverseDepthImage& image) {
   for (std::size_t k = 0; k < regions.size(); ++k) regions[k] = momentsOf(sums[k], !image.planar_rows);
 }
 
+void MomentMoves::move(const InverseDepthImage& image, int row, int column, std::int32_t from, std::int32_t to) {
+  const std::size_t pixel = image.index(row, column);
+  const auto t = static_cast<double>(image.weight[pixel]), w = static_cast<double>(image.w[pixel]);
+  const double a = image.across[static_cast<std::size_t>(column)], v = image.along[static_cast<std::size_t>(row)];
+  const double f = image.forward[static_cast<std::size_t>(column)];
+  const double ta = t * a, tv = t * v, tw = t * w;
+  const RaySums one = {1.0, w, t, ta * a, ta * f, ta * v, tv * f, tv * v, tw * a, tw * v, tw * f, tw * w};
+  gains_[static_cast<std::size_t>(from)] -= one;
+  gains_[static_cast<std::size_t>(to)] += one;
+}
+
+// A region that has lost all its pixels has exactly none.
+void RegionMap::applyMoves(const InverseDepthImage& image) {
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    const RaySums& gain = moves.gains()[k + 1];
+    if (gain.w_plain == 0.0 && gain.n == 0.0) continue;
+    regions[k] += momentsOf(gain, !image.planar_rows);
+    if (regions[k].n <= 0.0) regions[k] = PlaneMoments();
+  }
+}
+
 void RegionMap::relabel(const std::vector<std::int32_t>& new_label) {
   std::size_t kept = 0;
   while (kept < new_label.size() && new_label[kept] == static_cast<std::int32_t>(kept)) ++kept;

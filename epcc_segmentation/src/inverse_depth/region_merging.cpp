@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// S4: best-first queue over pairs of regions. An entry that is out of date when its turn comes is judged once more.
+// S4: best-first queue over pairs of regions. A contact whose cost is out of date when its turn comes is judged once
+// more.
 #include "inverse_depth/region_merging.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace epcc {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kMaxSlopeFactor = 26.0;  // slopeFactor() is clipped
 constexpr double kGrowth = 1.1;           // of a region's pixels, until all its contacts are judged again
 
@@ -26,20 +25,22 @@ void RegionMerger::merge(RegionContacts& contacts, const InverseDepthParameters&
   contacts_ = &contacts;
   begin(map);
   linkContacts();
-  for (std::size_t k = 0; k < contacts.contacts.size(); ++k) judge(static_cast<int>(k));
+  to_judge_.resize(contacts.contacts.size());
+  std::iota(to_judge_.begin(), to_judge_.end(), 0);
+  judgeListed();
   while (!queue_.empty()) {
-    std::pop_heap(queue_.begin(), queue_.end(), std::greater<Candidate>());
-    const Candidate next = queue_.back();
-    queue_.pop_back();
-    if (!isLast(next)) continue;
-    if (!isFresh(next)) {
-      judge(next.contact);
+    const int next = queue_.pop();
+    const Judgement& judgement = judgements_[static_cast<std::size_t>(next)];
+    if (!isFresh(judgement)) {
+      to_judge_.assign(1, next);
+      judgeListed();
       continue;
     }
-    PlaneMoments& moved = map.regions[static_cast<std::size_t>(next.b) - 1];
-    map.regions[static_cast<std::size_t>(next.a) - 1] += moved;
+    const std::int32_t a = judgement.a, b = judgement.b;
+    PlaneMoments& moved = map.regions[static_cast<std::size_t>(b) - 1];
+    map.regions[static_cast<std::size_t>(a) - 1] += moved;
     moved = PlaneMoments();
-    mergeLabels(next.a, next.b);
+    mergeLabels(a, b);
   }
   dropSmallRegions(map.regions);
   map.relabel(new_label_);
@@ -51,14 +52,27 @@ void RegionMerger::begin(const RegionMap& map) {
   node_of_.resize(labels);
   new_label_.resize(labels);
   version_.assign(labels, 0);
-  queue_.clear();
   for (std::size_t k = 0; k < labels; ++k) {
     node_of_[k] = static_cast<int>(k);
     new_label_[k] = nodes_[k].label = static_cast<std::int32_t>(k);
-    if (k == 0) continue;
-    nodes_[k].sums = RegionSums(map.regions[k - 1]);
-    nodes_[k].plane = SumsPlane(nodes_[k].sums);
-    nodes_[k].judged_n = nodes_[k].sums.n;
+  }
+  fitNodes(map);
+}
+
+void RegionMerger::fitNodes(const RegionMap& map) {
+  int fitted[PlaneBatch::kSize];
+  for (std::size_t next = 0; next < map.regions.size();) {
+    batch_.count = 0;
+    for (; next < map.regions.size() && batch_.count < PlaneBatch::kSize; ++next) {
+      if (map.regions[next].n <= 0.0) continue;
+      Node& region = nodes_[next + 1];
+      region.sums = RegionSums(map.regions[next]);
+      region.judged_n = region.sums.n;
+      fitted[batch_.count] = static_cast<int>(next) + 1;
+      batch_.add(region.sums);
+    }
+    fitPlanes(batch_);
+    for (int k = 0; k < batch_.count; ++k) node(fitted[k]).plane = batch_.plane(k);
   }
 }
 
@@ -67,6 +81,7 @@ void RegionMerger::linkContacts() {
   node_at_.resize(2 * pairs.size());
   next_.resize(2 * pairs.size());
   judgements_.assign(pairs.size(), Judgement());
+  queue_.clear(pairs.size());
   int end = 0;
   for (const RegionPair& pair : pairs) {
     link(end++, pair.low);
@@ -81,25 +96,70 @@ void RegionMerger::link(int end, int k) {
   ++node(k).contacts;
 }
 
-void RegionMerger::judge(int number) {
-  Judgement& judgement = judgements_[static_cast<std::size_t>(number)];
-  ++judgement.number;
-  if (contact(number).count < parameters_.min_contacts) return;
-  const Node& a = node(nodeAt(2 * number));
-  const Node& b = node(nodeAt(2 * number + 1));
-  const double merge_cost = cost(a, b, contact(number));
-  if (!(merge_cost <= 1.0)) return;
-  const std::int32_t low = std::min(a.label, b.label), high = std::max(a.label, b.label);
-  judgement.version_a = version(low);
-  judgement.version_b = version(high);
-  queue_.push_back({merge_cost, low, high, number, judgement.number});
-  std::push_heap(queue_.begin(), queue_.end(), std::greater<Candidate>());
+// Sixteen at a time, those that a step keeps apart not among them.
+void RegionMerger::judgeListed() {
+  for (std::size_t next = 0; next < to_judge_.size();) {
+    batch_.count = 0;
+    for (; next < to_judge_.size() && batch_.count < PlaneBatch::kSize; ++next)
+      if (!judgeStep(to_judge_[next])) queue_.remove(to_judge_[next]);
+    fitPlanes(batch_);
+    for (int k = 0; k < batch_.count; ++k)
+      if (!judgePlane(judged_[k], batch_.slope_factor[k], batch_.rss[k])) queue_.remove(judged_[k].contact);
+  }
 }
 
-void RegionMerger::judgeAll(Node& node) {
+// A step along the common border keeps two surfaces apart, however small one of them is; many are higher than any slope
+// allows.
+bool RegionMerger::judgeStep(int number) {
+  const Contact& places = contact(number);
+  if (places.count < parameters_.min_contacts) return false;
+  const Node& a = node(nodeAt(2 * number));
+  const Node& b = node(nodeAt(2 * number + 1));
+  const Eigen::Vector3d difference(a.plane.x - b.plane.x, a.plane.y - b.plane.y, a.plane.z - b.plane.z);
+  const double squares = places.squares(difference) / places.count;
+  if (squares > parameters_.max_step * parameters_.max_step * kMaxSlopeFactor) return false;
+  judged_[batch_.count] = {number, squares};
+  batch_.add(a.sums + b.sums);
+  return true;
+}
+
+// A contact whose regions may merge joins the queue.
+bool RegionMerger::judgePlane(const JudgedStep& step, double slope_factor, double rss) {
+  const double step2 = step.squares / slope_factor;
+  if (step2 > parameters_.max_step * parameters_.max_step) return false;
+  const Node& a = node(nodeAt(2 * step.contact));
+  const Node& b = node(nodeAt(2 * step.contact + 1));
+  const double allowed = tolerance(a, b, contact(step.contact).count, step2) * slope_factor;
+  const double cost = (rss - a.plane.rss - b.plane.rss) / allowed;
+  if (!(cost <= 1.0)) return false;
+  Judgement& judgement = judgements_[static_cast<std::size_t>(step.contact)];
+  judgement.a = std::min(a.label, b.label);
+  judgement.b = std::max(a.label, b.label);
+  judgement.version_a = version(judgement.a);
+  judgement.version_b = version(judgement.b);
+  queue_.set(step.contact, cost);
+  return true;
+}
+
+/// The increase of RSS that offset and correlation allow.
+double RegionMerger::tolerance(const Node& a, const Node& b, int places, double step2) const {
+  // Two planes that compete for the same pixels all along (a ragged border) differ by the error, not by the scene;
+  // unless there is a step, which the error frays too.
+  const double smaller = std::min(a.sums.n, b.sums.n);
+  double offset = region_tolerance_;
+  if (step2 < parameters_.max_ragged_step * parameters_.max_ragged_step) {
+    const double raggedness = places / (4.0 * std::sqrt(smaller));
+    offset *= std::clamp(raggedness / parameters_.ragged_border, 1.0, parameters_.max_ragged_gain);
+  }
+  return parameters_.fragment_tolerance * pixels_per_sample_ + offset * offset * smaller;
+}
+
+/// The contacts of a node are to be judged; those that went up in others leave its list.
+void RegionMerger::listContacts(Node& node) {
+  to_judge_.clear();
   for (int* end = &node.first; *end >= 0;) {
     if (contact(*end / 2).count > 0) {
-      judge(*end / 2);
+      to_judge_.push_back(*end / 2);
       end = &nextOf(*end);
     } else {
       *end = nextOf(*end);
@@ -108,38 +168,9 @@ void RegionMerger::judgeAll(Node& node) {
   }
 }
 
-/// Cost of a merge, <= 1 to merge: RSS increase over what offset and correlation allow.
-double RegionMerger::cost(const Node& a, const Node& b, const Contact& contact) const {
-  // A step along the common border keeps two surfaces apart, however small one of them is; many are higher than any
-  // slope allows.
-  const Eigen::Vector3d difference(a.plane.x - b.plane.x, a.plane.y - b.plane.y, a.plane.z - b.plane.z);
-  const double squares = contact.squares(difference) / contact.count;
-  const double max_squares = parameters_.max_step * parameters_.max_step;
-  if (squares > max_squares * kMaxSlopeFactor) return kNever;
-  const SumsPlane plane(a.sums + b.sums);
-  const double step2 = squares / plane.slope_factor;
-  if (step2 > max_squares) return kNever;
-
-  // Two planes that compete for the same pixels all along (a ragged border) differ by the error, not by the scene;
-  // unless there is a step, which the error frays too.
-  const double smaller = std::min(a.sums.n, b.sums.n);
-  double offset = region_tolerance_;
-  if (step2 < parameters_.max_ragged_step * parameters_.max_ragged_step) {
-    const double raggedness = contact.count / (4.0 * std::sqrt(smaller));
-    offset *= std::clamp(raggedness / parameters_.ragged_border, 1.0, parameters_.max_ragged_gain);
-  }
-  const double tolerance = parameters_.fragment_tolerance * pixels_per_sample_ + offset * offset * smaller;
-  return (plane.rss - a.plane.rss - b.plane.rss) / (tolerance * plane.slope_factor);
-}
-
-bool RegionMerger::isLast(const Candidate& candidate) const {
-  return candidate.judgement == judgements_[static_cast<std::size_t>(candidate.contact)].number;
-}
-
 /// The regions are as they were when the cost was found.
-bool RegionMerger::isFresh(const Candidate& candidate) {
-  const Judgement& judgement = judgements_[static_cast<std::size_t>(candidate.contact)];
-  return judgement.version_a == version(candidate.a) && judgement.version_b == version(candidate.b);
+bool RegionMerger::isFresh(const Judgement& judgement) {
+  return judgement.version_a == version(judgement.a) && judgement.version_b == version(judgement.b);
 }
 
 // b becomes part of a. The plane of a large region hardly moves when a fragment joins it: of its contacts only those
@@ -160,10 +191,9 @@ void RegionMerger::mergeLabels(std::int32_t a, std::int32_t b) {
   moveContacts(from, into, hasGrown(node(from)));
   if (hasGrown(merged)) {
     merged.judged_n = merged.sums.n;
-    judgeAll(merged);
-  } else {
-    for (const int number : to_judge_) judge(number);
+    listContacts(merged);
   }
+  judgeListed();
 }
 
 // The contacts that changed, and if so asked those that moved, are to be judged.
@@ -175,6 +205,7 @@ void RegionMerger::moveContacts(int from, int into, bool judge_moved) {
     if (contact(number).count == 0) continue;
     if (neighbour == into) {
       contact(number).count = 0;
+      queue_.remove(number);
       continue;
     }
     const RegionPair pair(into, neighbour);
@@ -182,6 +213,7 @@ void RegionMerger::moveContacts(int from, int into, bool judge_moved) {
     if (known >= 0) {
       contact(known) += contact(number);
       contact(number).count = 0;
+      queue_.remove(number);
       to_judge_.push_back(known);
     } else {
       link(end, into);

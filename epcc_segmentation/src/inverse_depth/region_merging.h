@@ -8,6 +8,8 @@
 
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/merge_queue.h"
+#include "inverse_depth/plane_batch.h"
 #include "inverse_depth/region_contacts.h"
 #include "inverse_depth/region_sums.h"
 
@@ -33,32 +35,29 @@ class RegionMerger {
     RegionSums sums;
     SumsPlane plane;
   };
-  /// A possible merge; of equal costs the smaller labels go first, so that the order is always the same. Which of two
-  /// is better cannot be predicted: no branches.
-  struct Candidate {
-    double cost;
-    std::int32_t a, b;  ///< labels, a < b
-    int contact, judgement;
-    bool operator>(const Candidate& other) const {
-      return (cost > other.cost) | ((cost == other.cost) & ((a > other.a) | ((a == other.a) & (b > other.b))));
-    }
-  };
   /// The last one of a contact.
   struct Judgement {
-    int number = 0;  ///< counts them
+    std::int32_t a = 0, b = 0;  ///< the labels of its regions, a < b
     int version_a = 0, version_b = 0;
+  };
+  /// A contact that no step rules out, and the mean square of its step, in sigma along the ray.
+  struct JudgedStep {
+    int contact;
+    double squares;
   };
 
   void begin(const RegionMap& map);
+  void fitNodes(const RegionMap& map);
   void linkContacts();
   void link(int end, int node);
-  void judge(int number);
-  void judgeAll(Node& node);
-  bool isLast(const Candidate& candidate) const;
-  bool isFresh(const Candidate& candidate);
+  void judgeListed();
+  bool judgeStep(int number);
+  bool judgePlane(const JudgedStep& step, double slope_factor, double rss);
+  void listContacts(Node& node);
+  bool isFresh(const Judgement& judgement);
   void mergeLabels(std::int32_t a, std::int32_t b);
   void moveContacts(int from, int into, bool judge_moved);
-  double cost(const Node& a, const Node& b, const Contact& contact) const;
+  double tolerance(const Node& a, const Node& b, int places, double step2) const;
   void dropSmallRegions(std::vector<PlaneMoments>& regions);
 
   Contact& contact(int number) { return contacts_->contacts[static_cast<std::size_t>(number)]; }
@@ -71,14 +70,16 @@ class RegionMerger {
   InverseDepthParameters::Merging parameters_;
   double region_tolerance_ = 0.0;
   double pixels_per_sample_ = 1.0;
-  RegionContacts* contacts_ = nullptr;   ///< numbered; one that went up in another has no places left
-  std::vector<Node> nodes_;              ///< first one per label; 0 is none
-  std::vector<int> node_of_, version_;   ///< per label
-  std::vector<int> node_at_, next_;      ///< per end of a contact, 2 number and 2 number + 1: its node; the node's next
-  std::vector<Candidate> queue_;         ///< a heap, the best on top
-  std::vector<Judgement> judgements_;    ///< per contact
-  std::vector<int> to_judge_;            ///< contacts
-  std::vector<std::int32_t> new_label_;  ///< per label
+  RegionContacts* contacts_ = nullptr;  ///< numbered; one that went up in another has no places left
+  std::vector<Node> nodes_;             ///< first one per label; 0 is none
+  std::vector<int> node_of_, version_;  ///< per label
+  std::vector<int> node_at_, next_;     ///< per end of a contact, 2 number and 2 number + 1: its node; the node's next
+  MergeQueue queue_;
+  std::vector<Judgement> judgements_;     ///< per contact
+  std::vector<int> to_judge_;             ///< contacts
+  PlaneBatch batch_;                      ///< of pairs of regions as one
+  JudgedStep judged_[PlaneBatch::kSize];  ///< the same
+  std::vector<std::int32_t> new_label_;   ///< per label
 };
 
 }  // namespace epcc

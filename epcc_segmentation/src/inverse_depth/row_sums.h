@@ -12,7 +12,42 @@ struct RaySums {
   double n = 0.0, w_plain = 0.0;
   double one = 0.0, aa = 0.0, af = 0.0, av = 0.0, fv = 0.0, vv = 0.0;
   double aw = 0.0, vw = 0.0, fw = 0.0, ww = 0.0;
+
+  RaySums& operator+=(const RaySums& other);
+  RaySums& operator-=(const RaySums& other);
 };
+
+inline RaySums& RaySums::operator+=(const RaySums& other) {
+  n += other.n;
+  w_plain += other.w_plain;
+  one += other.one;
+  aa += other.aa;
+  af += other.af;
+  av += other.av;
+  fv += other.fv;
+  vv += other.vv;
+  aw += other.aw;
+  vw += other.vw;
+  fw += other.fw;
+  ww += other.ww;
+  return *this;
+}
+
+inline RaySums& RaySums::operator-=(const RaySums& other) {
+  n -= other.n;
+  w_plain -= other.w_plain;
+  one -= other.one;
+  aa -= other.aa;
+  af -= other.af;
+  av -= other.av;
+  fv -= other.fv;
+  vv -= other.vv;
+  aw -= other.aw;
+  vw -= other.vw;
+  fw -= other.fw;
+  ww -= other.ww;
+  return *this;
+}
 
 /// A row of the image; f is 1 where `forward` is null.
 struct LabelledRow {

@@ -1,191 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Residuals from the plane against 1, u, v, u^2, u v, v^2 in the region's own view.
+// One pass over the runs of labels; each region takes those on its own grid.
 #include "inverse_depth/surface_bending.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-
-#include "inverse_depth/label_borders.h"
+#include <cstddef>
 
 namespace epcc {
 
 namespace {
 
-/// A region is sampled on a grid wide enough to leave about this many of its pixels: neighbours hardly differ.
-constexpr double kSamples = 500.0;
-
-/// Pixels of a scan more than 78 degrees to the side of a region's middle are left out: u grows without bounds there.
-constexpr double kMinDepth = 0.2;
-
-/// 1, u, v, u^2, u v, v^2.
-using Terms = Eigen::Matrix<double, 6, 1>;
-constexpr int kPowerOfU[] = {0, 1, 0, 2, 1, 0};
-constexpr int kPowerOfV[] = {0, 0, 1, 0, 1, 2};
-
-/// A region in the camera's coordinates u = x/z, v = y/z about its middle (u0, v0). On a scan, whose rays go all
-/// around, in those of a camera turned about the scan's axis until it looks at the region.
-class RegionView {
- public:
-  RegionView(const PlaneMoments& region, bool turned) {
-    // Rays weighted by w: their direction is the middle of the region.
-    const Eigen::Vector3d& middle = region.rays_w;
-    if (turned) {
-      const double length = std::hypot(middle.x(), middle.z());
-      sine_ = middle.x() / length;
-      cosine_ = middle.z() / length;
+void listViews(const InverseDepthImage& image, const RegionMap& map, const std::vector<std::uint8_t>& wanted,
+               BendingMemory& memory) {
+  memory.views.clear();
+  memory.view_of.assign(map.regions.size() + 1, -1);
+  for (std::size_t k = 0; k < map.regions.size(); ++k)
+    if (wanted[k] != 0) {
+      memory.view_of[k + 1] = static_cast<std::int32_t>(memory.views.size());
+      memory.views.emplace_back(map.regions[k], !image.planar_rows);
     }
-    const double depth = sine_ * middle.x() + cosine_ * middle.z();
-    u0_ = (cosine_ * middle.x() - sine_ * middle.z()) / depth;
-    v0_ = middle.y() / depth;
-    const RegionPlane plane(region);
-    q_ = plane.q;
-    slope_factor_ = plane.slope_factor;
-    stride_ = std::max(1, static_cast<int>(std::sqrt(region.n / kSamples)));
-    normal_ = {cosine_ * q_.x() - sine_ * q_.z(), q_.y(), sine_ * q_.x() + cosine_ * q_.z()};
-  }
+}
 
-  bool isOnGrid(int row) const { return row % stride_ == 0; }
-
-  /// Pixels [begin, end) of a row, those on the grid.
-  void addRun(const InverseDepthImage& image, int row, int begin, int end) {
-    if (!isOnGrid(row)) return;
-    const int first = (begin + stride_ - 1) / stride_ * stride_;
-    const double along = image.along[static_cast<std::size_t>(row)];
-    if (image.planar_rows)
-      addPlanarRun(image, row, first, end, along - v0_);
-    else
-      for (int column = first; column < end; column += stride_) addOfScan(image, row, column, along);
-  }
-
-  Bending bending() const {
-    Eigen::Matrix<double, 6, 6> normal_matrix;
-    Terms right_side;
-    for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j < 6; ++j)
-        normal_matrix(i, j) = products_[kPowerOfU[i] + kPowerOfU[j]][kPowerOfV[i] + kPowerOfV[j]];
-      right_side[i] = residuals_[kPowerOfU[i]][kPowerOfV[i]];
-    }
-    const Terms c = normal_matrix.ldlt().solve(right_side);
-    const double scale = stride_ * stride_ / slope_factor_;
-    Bending result;
-    result.rss = scale * rss_;
-    result.gain = std::min(result.rss, scale * c.dot(right_side));
-    // The surface is F = z w(x/z, y/z) - 1 = 0 with gradient `normal` and, in the middle, second derivatives
-    // J^T H J / z, J = z d(u, v) / d(x, y, z). Its second fundamental form is their restriction to the tangents.
-    Eigen::Matrix2d hessian;
-    hessian << 2.0 * c[3], c[4], c[4], 2.0 * c[5];
-    Eigen::Matrix<double, 2, 3> j;
-    j << 1.0, 0.0, -u0_, 0.0, 1.0, -v0_;
-    Eigen::Matrix<double, 3, 2> tangents;
-    tangents.col(0) = normal_.unitOrthogonal();
-    tangents.col(1) = normal_.normalized().cross(tangents.col(0));
-    const Eigen::Matrix2d along_tangents = tangents.transpose() * j.transpose() * hessian * j * tangents;
-    const double inverse_depth = normal_.dot(Eigen::Vector3d(u0_, v0_, 1.0));
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(along_tangents, Eigen::EigenvaluesOnly);
-    result.curvature = principal.eigenvalues().cwiseAbs().maxCoeff() * inverse_depth / normal_.norm();
-    return result;
-  }
-
- private:
-  /// Weighted sums over pixels of one v.
-  struct Sums {
-    double u[5] = {};         ///< of u^i
-    double residual[3] = {};  ///< of residual u^i
-    double rss = 0.0;
-
-    void add(double x, double error, double weight) {
-      const double xx = x * x, wx = weight * x, wxx = weight * xx, we = weight * error;
-      u[0] += weight;
-      u[1] += wx;
-      u[2] += wxx;
-      u[3] += wxx * x;
-      u[4] += wxx * xx;
-      residual[0] += we;
-      residual[1] += we * x;
-      residual[2] += we * xx;
-      rss += we * error;
-    }
+void addRuns(const InverseDepthImage& image, const RegionMap& map, int row, BendingMemory& memory) {
+  markLeftBorders(map.labels.data(), image.width, image.height, row, memory.left);
+  memory.begins.clear(image.width);
+  for (std::size_t word = 0; word < memory.left.size(); ++word) memory.begins.add(memory.left[word], word);
+  int begin = 0;
+  const auto addRun = [&](int end) {
+    const std::int32_t k = memory.view_of[static_cast<std::size_t>(map.labels[image.index(row, begin)])];
+    if (k >= 0) memory.views[static_cast<std::size_t>(k)].addRun(image, row, begin, end);
+    begin = end;
   };
-
-  void addPlanarRun(const InverseDepthImage& image, int row, int first, int end, double v) {
-    const std::size_t start = image.index(row, 0);
-    const double q_row = q_.y() * image.along[static_cast<std::size_t>(row)] + q_.z();
-    Sums sums;
-    for (auto column = static_cast<std::size_t>(first); column < static_cast<std::size_t>(end);
-         column += static_cast<std::size_t>(stride_)) {
-      const double across = image.across[column];
-      const double error = static_cast<double>(image.w[start + column]) - (q_.x() * across + q_row);
-      sums.add(across - u0_, error, static_cast<double>(image.weight[start + column]));
-    }
-    add(sums, v);
-  }
-
-  void addOfScan(const InverseDepthImage& image, int row, int column, double along) {
-    const Eigen::Vector3d ray = image.ray(row, column);
-    const double depth = sine_ * ray.x() + cosine_ * ray.z();
-    if (depth < kMinDepth) return;
-    const std::size_t pixel = image.index(row, column);
-    const double error = static_cast<double>(image.w[pixel]) - q_.dot(ray);
-    Sums sums;
-    sums.add((cosine_ * ray.x() - sine_ * ray.z()) / depth - u0_, error / depth,
-             depth * depth * static_cast<double>(image.weight[pixel]));
-    add(sums, along / depth - v0_);
-  }
-
-  void add(const Sums& sums, double v) {
-    double power = 1.0;
-    for (int j = 0; j < 5; ++j, power *= v) {
-      for (int i = 0; i + j < 5; ++i) products_[i][j] += sums.u[i] * power;
-      for (int i = 0; i + j < 3; ++i) residuals_[i][j] += sums.residual[i] * power;
-    }
-    rss_ += sums.rss;
-  }
-
-  double sine_ = 0.0, cosine_ = 1.0, u0_ = 0.0, v0_ = 0.0, rss_ = 0.0;
-  Eigen::Vector3d q_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  // q in the turned camera: the plane's normal / distance
-  double slope_factor_ = 1.0;
-  int stride_ = 1;
-  double products_[5][5] = {};   // [i][j]: sum of u^i v^j
-  double residuals_[3][3] = {};  // the same times the residual
-};
+  for (const int end : memory.begins) addRun(end);
+  addRun(image.width);
+}
 
 }  // namespace
 
-std::vector<Bending> measureBending(const InverseDepthImage& image, const RegionMap& map,
-                                    const std::vector<std::uint8_t>& wanted) {
-  std::vector<std::int32_t> view_of(map.regions.size() + 1, -1);
-  std::vector<RegionView> views;
+void measureBending(const InverseDepthImage& image, const RegionMap& map, const std::vector<std::uint8_t>& wanted,
+                    BendingMemory& memory) {
+  listViews(image, map, wanted, memory);
+  memory.left.assign(wordsOf(image.width), 0);
+  const auto& views = memory.views;
+  for (int row = 0; row < image.height; ++row)
+    if (std::any_of(views.begin(), views.end(), [row](const RegionView& view) { return view.isOnGrid(row); }))
+      addRuns(image, map, row, memory);
+  memory.bending.assign(map.regions.size(), Bending());
   for (std::size_t k = 0; k < map.regions.size(); ++k)
-    if (wanted[k] != 0) {
-      view_of[k + 1] = static_cast<std::int32_t>(views.size());
-      views.emplace_back(map.regions[k], !image.planar_rows);
-    }
-  RowBits left(wordsOf(image.width), 0);
-  PixelList begins;
-  for (int row = 0; row < image.height; ++row) {
-    const bool on_grid =
-        std::any_of(views.begin(), views.end(), [row](const RegionView& v) { return v.isOnGrid(row); });
-    if (!on_grid) continue;
-    markLeftBorders(map.labels.data(), image.width, image.height, row, left);
-    begins.clear(image.width);
-    for (std::size_t word = 0; word < left.size(); ++word) begins.add(left[word], word);
-    int begin = 0;
-    const auto sampleRun = [&](int end) {
-      const std::int32_t k = view_of[static_cast<std::size_t>(map.labels[image.index(row, begin)])];
-      if (k >= 0) views[static_cast<std::size_t>(k)].addRun(image, row, begin, end);
-      begin = end;
-    };
-    for (const int end : begins) sampleRun(end);
-    sampleRun(image.width);
-  }
-  std::vector<Bending> result(map.regions.size());
-  for (std::size_t k = 0; k < map.regions.size(); ++k)
-    if (view_of[k + 1] >= 0) result[k] = views[static_cast<std::size_t>(view_of[k + 1])].bending();
-  return result;
+    if (memory.view_of[k + 1] >= 0)
+      memory.bending[k] = views[static_cast<std::size_t>(memory.view_of[k + 1])].bending();
 }
 
 }  // namespace epcc

@@ -2,22 +2,27 @@
 // How a region bends: the quadric that fits better than its plane.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "inverse_depth/label_borders.h"
 #include "inverse_depth/region_map.h"
+#include "inverse_depth/region_view.h"
 
 namespace epcc {
 
-/// What a quadratic surface w(u, v) explains of a region's residuals from its plane; squares in sigma^2 across the
-/// surface.
-struct Bending {
-  double curvature = 0.0;  ///< largest principal curvature, absolute, 1/m
-  double gain = 0.0;       ///< residual sum of squares that the quadratic terms take away
-  double rss = 0.0;        ///< residual sum of squares of the plane
+/// What measureBending() finds, and its lists, kept from frame to frame.
+struct BendingMemory {
+  std::vector<Bending> bending;  ///< per region
+
+  std::vector<RegionView> views;
+  std::vector<std::int32_t> view_of;  ///< per label, -1 none
+  RowBits left;
+  PixelList begins;  ///< of the runs on a row, but the first
 };
 
 /// Measures the regions k with wanted[k] != 0; the others stay zero. One pass over the pixels.
-std::vector<Bending> measureBending(const InverseDepthImage& image, const RegionMap& map,
-                                    const std::vector<std::uint8_t>& wanted);
+void measureBending(const InverseDepthImage& image, const RegionMap& map, const std::vector<std::uint8_t>& wanted,
+                    BendingMemory& memory);
 
 }  // namespace epcc

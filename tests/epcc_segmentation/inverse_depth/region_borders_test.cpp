@@ -242,8 +242,8 @@ TEST(BoundaryRefinement, DependsNeitherOnTheOrderOfPixelsNorOnTheVectorUnitNorOn
   ASSERT_NE(alone.labels, start);
 
   const InverseDepthImage both = stacked(image, image);
-  RegionMap map = clean;
   onEachUnit([&] {
+    RegionMap map = clean;
     map.labels = start;
     map.labels.resize(map.labels.size() + static_cast<std::size_t>(image.width), 0);
     map.labels.insert(map.labels.end(), start.begin(), start.end());
@@ -252,6 +252,34 @@ TEST(BoundaryRefinement, DependsNeitherOnTheOrderOfPixelsNorOnTheVectorUnitNorOn
     EXPECT_EQ(std::vector<std::int32_t>(map.labels.begin(), map.labels.begin() + size), alone.labels);
     EXPECT_EQ(std::vector<std::int32_t>(map.labels.end() - size, map.labels.end()), alone.labels);
   });
+}
+
+TEST(BoundaryRefinement, LeavesTheMomentsOfTheNewLabels) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  epcc::test::addNoise(room, epcc::test::kWhite, 5);
+  const InverseDepthImage image = epcc::test::imageOf(room);
+  // A speck of one of the walls in the midst of it will lose all its pixels.
+  auto labels = frayed(room.labels, 1);
+  for (auto& label : labels) label = label == 0 ? 0 : label + 1;
+  const std::size_t speck = image.index(image.height / 2, image.width / 2);
+  labels[speck] = 1;
+  RegionMap map = epcc::test::regionsOf(image, labels, 4);
+  map.regions[0].rays_w *= 3.0;  // its plane is elsewhere
+  epcc::RefinementMemory memory;
+  epcc::refineBoundaries(image, epcc::InverseDepthParameters(), map, memory);
+  ASSERT_NE(map.labels, labels);
+  ASSERT_NE(map.labels[speck], 1);
+  const RegionMap expected = epcc::test::regionsOf(image, map.labels, 4);
+  EXPECT_EQ(map.regions[0].rays, Eigen::Matrix3d::Zero());
+  EXPECT_EQ(map.regions[0].w_w, 0.0);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const epcc::PlaneMoments &moments = map.regions[k], &other = expected.regions[k];
+    EXPECT_EQ(moments.n, other.n);
+    EXPECT_NEAR(moments.w_sum, other.w_sum, 1e-9 * other.w_sum);
+    EXPECT_NEAR(moments.w_w, other.w_w, 1e-9 * other.w_w);
+    EXPECT_LE((moments.rays_w - other.rays_w).norm(), 1e-9 * other.rays_w.norm());
+    EXPECT_LE((moments.rays - other.rays).norm(), 1e-9 * other.rays.norm());
+  }
 }
 
 }  // namespace

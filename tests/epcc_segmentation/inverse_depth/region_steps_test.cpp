@@ -171,6 +171,13 @@ RenderedRoom roundThing(double radius, bool sphere, double column, double row) {
   return room;
 }
 
+std::vector<epcc::Bending> bendingOf(const InverseDepthImage& image, const RegionMap& map,
+                                     const std::vector<std::uint8_t>& wanted) {
+  epcc::BendingMemory memory;
+  epcc::measureBending(image, map, wanted, memory);
+  return memory.bending;
+}
+
 TEST(SurfaceBending, MeasuresTheRadiusOfRoundThingsAnywhereInTheImage) {
   for (const bool sphere : {true, false})
     for (const double column : {160.0, 40.0, 290.0})
@@ -178,7 +185,7 @@ TEST(SurfaceBending, MeasuresTheRadiusOfRoundThingsAnywhereInTheImage) {
         const auto room = roundThing(0.5, sphere, column, row);
         const auto image = imageOf(room);
         const auto map = regionsOf(image, room.labels, 1);
-        const auto bending = epcc::measureBending(image, map, {1}).front();
+        const auto bending = bendingOf(image, map, {1}).front();
         EXPECT_NEAR(bending.curvature, 2.0, 0.2) << sphere << " " << column << " " << row;
         EXPECT_GT(bending.gain, 0.95 * bending.rss);
         EXPECT_LE(bending.gain, bending.rss);
@@ -189,9 +196,9 @@ TEST(SurfaceBending, IsMeasuredOnScansToo) {
   const auto room = roundThing(0.5, true, 200.0, 100.0);
   auto image = imageOf(room);
   const auto map = regionsOf(image, room.labels, 1);
-  const auto planar = epcc::measureBending(image, map, {1}).front();
+  const auto planar = bendingOf(image, map, {1}).front();
   image.planar_rows = false;  // the same rays, taken one by one in a turned view
-  const auto turned = epcc::measureBending(image, map, {1}).front();
+  const auto turned = bendingOf(image, map, {1}).front();
   EXPECT_NEAR(turned.curvature, planar.curvature, 0.1);
   EXPECT_NEAR(turned.rss, planar.rss, 1e-9 * planar.rss);
 }
@@ -200,7 +207,7 @@ TEST(SurfaceBending, IsZeroOnASlantedPlaneAndForRegionsNotAskedFor) {
   const auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(320, 240));
   const auto image = imageOf(room);
   const auto map = regionsOf(image, room.labels, 3);
-  const auto bending = epcc::measureBending(image, map, {1, 0, 1});
+  const auto bending = bendingOf(image, map, {1, 0, 1});
   for (const auto& b : bending) EXPECT_LT(b.gain, 1.0);  // float rounding, in sigma^2
   EXPECT_EQ(bending[1].rss, 0.0);
   EXPECT_LT(bending[0].curvature, 1e-2);
@@ -213,7 +220,8 @@ TEST(Evidence, FacetsOfRoundThingsAreNoPlanesBoxesAndSlowBendsAre) {
     epcc::test::addNoise(room, sensor, 7);
     const auto image = imageOf(room, sensor);
     auto map = regionsOf(image, room.labels, 1);
-    epcc::rejectRegions(image, epcc::InverseDepthParameters(), sensor, map);
+    epcc::EvidenceMemory memory;
+    epcc::rejectRegions(image, epcc::InverseDepthParameters(), sensor, map, memory);
     return map.regions[0].n > 0.0;
   };
   EXPECT_FALSE(isKept(roundThing(0.3, true, 100.0, 100.0)));
