@@ -26,7 +26,7 @@ RenderedRoom wall() {
 
 /// Whether the region of the pixels for which `inside` holds stays.
 template <typename Inside>
-bool stays(const RenderedRoom& room, const Inside& inside, double min_thickness = 4.0) {
+bool stays(const RenderedRoom& room, const Inside& inside, double min_thickness = 16.0) {
   const InverseDepthImage image = epcc::test::imageOf(room, kSensor);
   std::vector<std::int32_t> labels;
   for (int row = 0; row < kHeight; ++row)
@@ -55,8 +55,8 @@ TEST(Thickness, ACompactRegionStaysACombOfItsSizeGoes) {
 TEST(Thickness, TheImagesEdgeIsNoBorder) {
   const auto strip = [](int row, int column) { return row < 3 && column >= 0; };
   const auto inner_strip = [](int row, int column) { return row >= 40 && row < 43 && column >= 0; };
-  EXPECT_TRUE(stays(wall(), strip, 8.0));
-  EXPECT_FALSE(stays(wall(), inner_strip, 8.0));
+  EXPECT_TRUE(stays(wall(), strip, 32.0));
+  EXPECT_FALSE(stays(wall(), inner_strip, 32.0));
 }
 
 TEST(Thickness, HolesAreAQuarterOfABorder) {
@@ -83,7 +83,9 @@ TEST(Thickness, WhatIsLeftIsNumberedWithoutGaps) {
   epcc::ThicknessMemory memory;
   RegionMap map = epcc::test::regionsOf(image, labels, 7);
   const double n = map.regions[4].n;
-  epcc::rejectThin(image, InverseDepthParameters(), kSensor, 1, map, memory);
+  InverseDepthParameters parameters;
+  parameters.expert.evidence.min_thickness = 16.0;
+  epcc::rejectThin(image, parameters, kSensor, 1, map, memory);
   ASSERT_EQ(map.regions.size(), 1u);
   EXPECT_EQ(map.regions[0].n, n);
   for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(map.labels[i], labels[i] == 5 ? 1 : 0);
