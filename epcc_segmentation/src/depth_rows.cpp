@@ -17,6 +17,22 @@ namespace epcc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Checked before the values are narrowed: some units narrow infinity to the largest number.
+constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());
+
+#if HWY_TARGET == HWY_EMU128  // the compiler makes vectors of a plain loop, but not of emulated conversions
+
+/// z = scale * value.
+template <typename Value>
+HWY_INLINE void scaleDepths(const Value* values, std::size_t count, double scale, float* depth) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double z = static_cast<double>(values[i]) * scale;
+    depth[i] = static_cast<float>(z > 0.0 && z <= kLargest ? z : 0.0);
+  }
+}
+
+#else
+
 using Doubles = hn::ScalableTag<double>;
 using Halves = hn::Rebind<float, Doubles>;
 constexpr std::size_t kLanes = hn::MaxLanes(Doubles());
@@ -35,8 +51,7 @@ template <typename Value>
 HWY_INLINE void scaleDepths(const Value* values, std::size_t count, double scale, float* depth) {
   const Doubles d;
   const auto scales = hn::Set(d, scale);
-  // Checked before the values are narrowed: some units narrow infinity to the largest number.
-  const auto largest = hn::Set(d, static_cast<double>(std::numeric_limits<float>::max()));
+  const auto largest = hn::Set(d, kLargest);
   const auto metres = [&](const Value* from, float* to) HWY_ATTR {
     const auto z = hn::Mul(loadValues(from), scales);
     const auto valid = hn::And(hn::Gt(z, hn::Zero(d)), hn::Le(z, largest));
@@ -51,6 +66,8 @@ HWY_INLINE void scaleDepths(const Value* values, std::size_t count, double scale
   metres(rest, rest_depth);
   for (std::size_t k = 0; i + k < count; ++k) depth[i + k] = rest_depth[k];
 }
+
+#endif
 
 void ScaleIntegers(const std::uint16_t* values, std::size_t count, double scale, float* depth) {
   scaleDepths(values, count, scale, depth);

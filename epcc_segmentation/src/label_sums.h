@@ -9,8 +9,10 @@
 
 namespace epcc {
 
-/// Lanes of the sums, whatever the vector unit: sample i of a row goes to lane i % kSumLanes.
-constexpr int kSumLanes = 8;
+/// Lanes of the sums, whatever the vector unit. Of a run of one label sample i goes to lane i % kRunLanes; then lane k
+/// of the run goes to lane k % kSumLanes of the label's sums.
+constexpr int kRunLanes = 8;
+constexpr int kSumLanes = 4;
 
 /// 1, x, y, z, xx, xy, xz, yy, yz, zz, then the same weighted by 1 / sigma_z^2.
 constexpr int kSums = 10;
@@ -22,7 +24,8 @@ struct LabelSums {
   bool started = false;
 };
 
-/// Samples of an image row with their labels: depths with the slopes of their rays, or points.
+/// Samples of an image row with their labels: depths with the slopes of their rays, or points. Of the coordinates and
+/// of the weights up to kRunLanes values behind the last may be read.
 struct SampleRow {
   std::size_t count = 0;
   const std::int32_t* labels = nullptr;
@@ -34,6 +37,9 @@ struct SampleRow {
   const float* x = nullptr;
   const float* y = nullptr;
   bool depth_is_range = false;
+  /// Memory for each sample's weight and, if it is measured, its label.
+  float* weight = nullptr;
+  std::int32_t* measured = nullptr;
 };
 
 /// Adds a row to sums[0 .. label_count) of the labels 1 .. label_count. True if there was another label but 0.

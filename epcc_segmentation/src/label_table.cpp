@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Most vectors of labels hold one label alone.
+// Labels lie in runs: they are counted run by run, and most vectors of them hold one label alone.
 #include "label_table.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -7,49 +7,45 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "label_runs-inl.h"
 #include "vector/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-using Int = hn::ScalableTag<std::int32_t>;
-constexpr std::size_t kLanes = hn::MaxLanes(Int());
-
 bool countPart(const std::int32_t* labels, std::size_t size, std::int32_t label_count, long* pixels) {
-  const Int d;
   bool stray = false;
-  const auto add = [&](std::int32_t label, long times) {
+  forEachRun(labels, size, [&](std::size_t begin, std::size_t end) HWY_ATTR {
+    const std::int32_t label = labels[begin];
     if (label >= 1 && label <= label_count)
-      pixels[label - 1] += times;
+      pixels[label - 1] += static_cast<long>(end - begin);
     else
       stray = stray || label != 0;
-  };
-  std::size_t i = 0;
-  for (; i + kLanes <= size; i += kLanes) {
-    if (hn::AllTrue(d, hn::Eq(hn::LoadU(d, labels + i), hn::Set(d, labels[i]))))
-      add(labels[i], static_cast<long>(kLanes));
-    else
-      for (std::size_t k = 0; k < kLanes; ++k) add(labels[i + k], 1);
-  }
-  for (; i < size; ++i) add(labels[i], 1);
+  });
   return stray;
 }
 
+HWY_INLINE std::int32_t changed(std::int32_t label, std::int32_t label_count, const std::int32_t* new_label) {
+  return label > 0 && label <= label_count ? new_label[label] : 0;
+}
+
+/// Blocks of one label that keeps its number are left alone.
 void changePart(std::int32_t* labels, std::size_t size, std::int32_t label_count, const std::int32_t* new_label) {
-  const Int d;
-  const auto none = hn::Zero(d);
-  const auto last = hn::Set(d, label_count);
+  std::int32_t label = 0, now = 0;  // that a block begins with
   std::size_t i = 0;
-  for (; i + kLanes <= size; i += kLanes) {
-    const auto label = hn::LoadU(d, labels + i);
-    if (hn::AllTrue(d, hn::Eq(label, none))) continue;
-    const auto known = hn::IfThenElseZero(hn::AndNot(hn::Gt(label, last), hn::Gt(label, none)), label);
-    hn::StoreU(hn::GatherIndex(d, new_label, known), d, labels + i);
+  for (; i + kRunBlock <= size; i += kRunBlock) {
+    if (labels[i] != label) {
+      label = labels[i];
+      now = changed(label, label_count, new_label);
+    }
+    if (!isWholeBlock(labels + i, label))
+      for (std::size_t k = i; k < i + kRunBlock; ++k) labels[k] = changed(labels[k], label_count, new_label);
+    else if (now != label)
+      for (std::size_t k = i; k < i + kRunBlock; ++k) labels[k] = now;
   }
-  for (; i < size; ++i) labels[i] = labels[i] > 0 && labels[i] <= label_count ? new_label[labels[i]] : 0;
+  for (; i < size; ++i) labels[i] = changed(labels[i], label_count, new_label);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cloud_points.h"
 #include "label_table.h"
 #include "metric/recursive_statistics.h"
 #include "parallel_for.h"
@@ -31,10 +32,7 @@ struct PointSums {
   /// Of the lanes' sums, about an origin that lies `shift` before theirs.
   void add(const double (*lanes)[kSumLanes], const Eigen::Vector3d& shift) {
     double s[kSums];
-    for (int k = 0; k < kSums; ++k) {
-      const double* l = lanes[k];
-      s[k] = ((l[0] + l[4]) + (l[2] + l[6])) + ((l[1] + l[5]) + (l[3] + l[7]));
-    }
+    for (int k = 0; k < kSums; ++k) s[k] = (lanes[k][0] + lanes[k][2]) + (lanes[k][1] + lanes[k][3]);
     const Eigen::Vector3d p(s[1], s[2], s[3]);
     Eigen::Matrix3d pp;
     pp << s[4], s[5], s[6], s[5], s[7], s[8], s[6], s[8], s[9];
@@ -101,46 +99,56 @@ Plane planeOf(const PointMoments& moments, long pixels, double samples_per_indep
   return plane;
 }
 
-/// The points of every stride-th column of a row, zeros where nothing is measured.
-void readPoints(const DepthFrame& image, int row, const FitSamples& samples, float* x, float* y, float* z) {
-  Eigen::Vector3d p;
-  for (int column = samples.offset; column < image.width(); column += samples.stride, ++x, ++y, ++z) {
-    if (!image.point(row, column, p)) p.setZero();
-    *x = static_cast<float>(p.x());
-    *y = static_cast<float>(p.y());
-    *z = static_cast<float>(p.z());
-  }
+int samplesAlong(int size, const FitSamples& samples) {
+  return std::max(0, (size - samples.offset + samples.stride - 1) / samples.stride);
 }
 
 /// Every stride-th value, in its own place or another.
 template <typename T>
 void thinOut(const T* from, int width, const FitSamples& samples, T* to) {
-  for (int column = samples.offset; column < width; column += samples.stride) *to++ = from[column];
-}
-
-int samplesAlong(int size, const FitSamples& samples) {
-  return std::max(0, (size - samples.offset + samples.stride - 1) / samples.stride);
+  const int count = samplesAlong(width, samples);
+  from += samples.offset;
+  if (samples.stride == 2)  // the compiler knows how to take every second one
+    for (int i = 0; i < count; ++i) to[i] = from[2 * i];
+  else
+    for (int i = 0; i < count; ++i, from += samples.stride) to[i] = *from;
 }
 
 }  // namespace
 
+/// The samples' labels, of sparse planes alone while these are summed. False if there is none.
+bool PlaneFitter::readLabels(const std::int32_t* labels, int width, const FitSamples& samples,
+                             std::vector<std::int32_t>& row) const {
+  if (samples.stride == 1)
+    std::copy(labels, labels + width, row.begin());
+  else
+    thinOut(labels, width, samples, row.data());
+  const auto count = static_cast<std::size_t>(samplesAlong(width, samples));
+  if (!only_.empty()) changeLabels(row.data(), count, plane_count_, only_.data());
+  std::int32_t any = 0;
+  for (std::size_t i = 0; i < count; ++i) any |= row[i];
+  return any != 0;
+}
+
 void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples,
                           const std::vector<std::int32_t>& labels, int begin, int end, Band& band) const {
   const auto width = static_cast<std::size_t>(image.width());
-  const auto count = static_cast<std::size_t>(samplesAlong(image.width(), samples));
   const bool is_whole = samples.stride == 1 && samples.offset == 0;
-  band.points.resize(3 * width);
-  band.labels.resize(width);
+  const std::size_t padded = width + kRunLanes;
+  band.points.resize(4 * padded);
+  band.labels.resize(2 * width);
   float* x = band.points.data();
-  float* y = x + width;
-  float* z = y + width;
+  float* y = x + padded;
+  float* z = y + padded;
   SampleRow row;
-  row.count = count;
+  row.weight = z + padded;
+  row.measured = band.labels.data() + width;
+  row.count = static_cast<std::size_t>(samplesAlong(image.width(), samples));
   row.z = z;
   if (image.isPinhole()) {
     row.across = across_.data();
     if (!is_whole) {
-      band.across.resize(width);
+      band.across.resize(padded);
       thinOut(across_.data(), image.width(), samples, band.across.data());
       row.across = band.across.data();
     }
@@ -153,23 +161,21 @@ void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& varianc
     const int r = samples.offset + i * samples.stride;
     row.labels = labels.data() + image.index(r, 0);
     if (!is_whole || !only_.empty()) {
-      thinOut(row.labels, image.width(), samples, band.labels.data());
-      if (!only_.empty())
-        for (std::int32_t& label : band.labels)
-          if (label < 1 || label > plane_count_ || only_[static_cast<std::size_t>(label - 1)] == 0) label = 0;
+      if (!readLabels(row.labels, image.width(), samples, band.labels)) continue;
       row.labels = band.labels.data();
     }
     if (image.isPinhole()) {
-      const float* depth = z;
+      const bool in_place = is_whole && (depth_ == nullptr || r + 1 < image.height());  // what is behind the last row?
+      const float* depth = is_whole ? z : x;
       if (depth_ != nullptr)
         depth = depth_ + static_cast<std::size_t>(r) * depth_stride_;
       else
-        image.depthRow(r, z);
-      if (!is_whole) thinOut(depth, image.width(), samples, z);
-      row.z = is_whole ? depth : z;
+        image.depthRow(r, is_whole ? z : x);
+      if (!in_place) thinOut(depth, image.width(), samples, z);
+      row.z = in_place ? depth : z;
       row.along = image.pinholeAlong(r);
     } else {
-      readPoints(image, r, samples, x, y, z);
+      readPoints(image, {r, 1, samples.offset, static_cast<int>(row.count), samples.stride}, {x, y, z, padded});
     }
     band.has_strays = addToLabelSums(row, variance, plane_count_, band.sums.data()) || band.has_strays;
   }
@@ -219,7 +225,9 @@ void PlaneFitter::fillSparsePlanes(const DepthFrame& image, const SensorVariance
     for (Band& band : bands_) band.sums[i].started = false;
   }
   if (!any) return;
-  only_ = is_sparse_;
+  only_.assign(is_sparse_.size() + 1, 0);
+  for (std::size_t i = 0; i < is_sparse_.size(); ++i)
+    if (is_sparse_[i] != 0) only_[i + 1] = static_cast<std::int32_t>(i + 1);
   sumAll(image, variance, FitSamples(), threads, labels);
   only_.clear();
 }
@@ -228,6 +236,7 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
                       int threads, PlaneSegmentation& segmentation) {
   segmentation.planes.clear();
   const float* const lent_depth = std::exchange(depth_, nullptr);
+  const long* const counts = std::exchange(counts_, nullptr);
   const auto size = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
   if (plane_count < 0 || segmentation.labels.size() != size) return false;
   const DepthFrame image = frame.isTransposed() ? frame.transposed() : frame;
@@ -244,12 +253,15 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
     band.has_strays = false;
   }
   if (image.isPinhole()) {
-    across_.resize(static_cast<std::size_t>(image.width()));
+    across_.resize(static_cast<std::size_t>(image.width() + kRunLanes));
     for (int c = 0; c < image.width(); ++c) across_[static_cast<std::size_t>(c)] = image.pinholeAcross(c);
   }
   sumAll(image, variance, samples, threads, segmentation.labels);
   if (samples.stride > 1) {
-    countPixels(image, threads, segmentation.labels);
+    if (counts != nullptr)
+      std::copy(counts, counts + count, pixels_.begin());
+    else
+      countPixels(image, threads, segmentation.labels);
     fillSparsePlanes(image, variance, threads, segmentation.labels);
   } else {
     for (std::size_t i = 0; i < count; ++i) pixels_[i] = static_cast<long>(samplesOf(i));

@@ -30,6 +30,9 @@ class PlaneFitter {
     depth_ = depth;
     depth_stride_ = stride;
   }
+  /// For the next fit with a stride: how many pixels have the labels 1 .. plane_count, and that there is no other but
+  /// 0.
+  void lendCounts(const long* pixels) { counts_ = pixels; }
 
  private:
   /// Memory of one of the bands of rows that are summed on their own, then joined in order.
@@ -41,7 +44,9 @@ class PlaneFitter {
     std::vector<std::int32_t> labels;
     std::vector<double> across;
   };
-  /// Adds the samples of the rows offset + stride * [begin, end), of the labels in only_ if that is not empty.
+  bool readLabels(const std::int32_t* labels, int width, const FitSamples& samples,
+                  std::vector<std::int32_t>& row) const;
+  /// Adds the samples of the rows offset + stride * [begin, end), of the labels that only_ keeps if it is not empty.
   void sumBand(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples,
                const std::vector<std::int32_t>& labels, int begin, int end, Band& band) const;
   void sumAll(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples, int threads,
@@ -56,10 +61,11 @@ class PlaneFitter {
   std::int32_t plane_count_ = 0;
   const float* depth_ = nullptr;
   std::size_t depth_stride_ = 0;
+  const long* counts_ = nullptr;
   std::vector<double> across_;  // u of the image's columns
   std::vector<Band> bands_;
-  std::vector<char> only_;       // by label
-  std::vector<char> is_sparse_;  // by plane: fitted to all of its pixels
+  std::vector<std::int32_t> only_;  // by label: itself or 0
+  std::vector<char> is_sparse_;     // by plane: fitted to all of its pixels
   std::vector<long> pixels_;
   std::vector<std::size_t> order_;
   std::vector<std::int32_t> new_label_;

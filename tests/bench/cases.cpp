@@ -61,6 +61,7 @@ void addOwnMethods(const std::string& place, const FrameOf& frame) {
   addExtraction("Auto" + place, frame, withSensor(defaultMode(), Extraction::Sensor::Single));
   addExtraction("AutoStream" + place, frame, withSensor(defaultMode(), Extraction::Sensor::Settled));
   add("PclClass" + place, [=](benchmark::State& state) { pclClass(state, frame); });
+  add("PclClassRGB" + place, [=](benchmark::State& state) { pclClassWithColours(state, frame); });
 }
 
 void addVariants(const std::string& place, const FrameOf& frame) {

@@ -29,7 +29,7 @@ Milliseconds a frame on rendered scenes, one thread unless the name says otherwi
 
 Cases: Floor, FloorWeights, FloorStatistics (passes that do a part of the work and nothing else), Sensor (the noise
 measured), Auto (whole frames, the noise measured on each), AutoStream (on a stream that has settled), Paper, Default,
-PclClass, PclOrganizedMultiPlane, PclRegionGrowing, PclRansac at WxH; variants /threads:N, /uint16, /stride:N and
+PclClass, PclClassRGB, PclOrganizedMultiPlane, PclRegionGrowing, PclRansac at WxH; variants /threads:N, /uint16, /stride:N and
 /unit:NAME; Noise/xF and Scene/NAME: default mode against noise, clutter and number of planes.
 Counters are milliseconds by stage and the number of planes found. The pages of docs/reference/ say more.
 )";

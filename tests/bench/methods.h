@@ -33,5 +33,7 @@ void sensorEstimation(benchmark::State& state, const FrameOf& frame);
 void comparedMethod(benchmark::State& state, const FrameOf& frame, const std::string& method);
 /// EPCCSegmentation<pcl::PointXYZ>: an organized cloud in; coefficients, inliers, centroids and labels out.
 void pclClass(benchmark::State& state, const FrameOf& frame);
+/// The same with pcl::PointXYZRGB, whose points take twice the memory.
+void pclClassWithColours(benchmark::State& state, const FrameOf& frame);
 
 }  // namespace epcc::bench

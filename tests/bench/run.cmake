@@ -48,7 +48,7 @@ file(GLOB frame ${FOLDER}/*_depth.png)
 get_filename_component(frame "${frame}" NAME)
 string(REPLACE _depth.png "" frame "${frame}")
 
-set(own Paper Default Auto AutoStream PclClass PclOrganizedMultiPlane)
+set(own Paper Default Auto AutoStream PclClass PclClassRGB PclOrganizedMultiPlane)
 set(variants Paper/PLACE/threads:2 Default/PLACE/threads:2)
 set(expected)
 foreach(method ${own} Floor FloorWeights FloorStatistics Sensor PclRegionGrowing PclRansac)

@@ -72,6 +72,22 @@ TEST(PlaneFit, OtherLabelsThanThePlanesCountAsNone) {
   }
 }
 
+TEST(PlaneFit, OtherLabelsCountAsNoneWhereNothingIsMeasured) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  const auto usual = fitted(room, *SensorModel::preset("d435i"), 3);
+  room.labels = usual.labels;  // in order: nothing else changes them
+  for (const std::size_t pixel : {std::size_t{3}, std::size_t{17}, room.labels.size() - 1}) {
+    const float depth = room.depth[pixel];
+    const std::int32_t label = room.labels[pixel];
+    room.depth[pixel] = 0.0f;
+    room.labels[pixel] = pixel == 17 ? -1 : 4;
+    epcc::test::onEveryVectorUnit(
+        [&] { EXPECT_EQ(fitted(room, *SensorModel::preset("d435i"), 3).labels[pixel], 0) << pixel; });
+    room.depth[pixel] = depth;
+    room.labels[pixel] = label;
+  }
+}
+
 TEST(PlaneFit, RefusesLabelsOfAnotherSizeAndANegativeCount) {
   const auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
   const auto refused = [&](std::size_t labels, int plane_count) {
@@ -294,25 +310,62 @@ TEST(PlaneFit, APlaneBetweenTheSamplesIsFittedToAllOfItsPixels) {
 }
 
 TEST(PlaneFit, HasTheSameBitsOnEveryUnitAndWithAnyNumberOfThreads) {
+  const auto room = labelledRoom(163, 120);
+  const SensorModel sensor = SensorModel::axial(0.002, 0.003, 2.0);
+  std::vector<float> cloud;
+  Eigen::Vector3d p;
+  for (int row = 0; row < 120; ++row)
+    for (int column = 0; column < 163; ++column) {
+      if (!room.frame().point(row, column, p)) p.setConstant(std::numeric_limits<double>::quiet_NaN());
+      for (const double value : {p.z(), -p.x(), -p.y()}) cloud.push_back(static_cast<float>(value));
+    }
+  const auto scan = DepthFrame::fromPoints(cloud.data(), 3, 163, 120, epcc::Projection::Spherical);
+  for (const DepthFrame& frame : {room.frame(), scan})
+    for (const int stride : {1, 2, 3}) {
+      PlaneSegmentation first;
+      epcc::test::onEveryVectorUnit([&] {
+        for (const int threads : {1, 2, 5}) {
+          PlaneSegmentation segmentation;
+          segmentation.labels = room.labels;
+          epcc::PlaneFitter fitter;
+          ASSERT_TRUE(fitter.fit(frame, sensor, 3, {stride, stride / 2}, threads, segmentation));
+          if (first.planes.empty()) first = segmentation;
+          ASSERT_EQ(segmentation.labels, first.labels);
+          for (std::size_t k = 0; k < 3; ++k) {
+            ASSERT_EQ(segmentation.planes[k].coefficients, first.planes[k].coefficients);
+            ASSERT_EQ(segmentation.planes[k].coefficients_covariance, first.planes[k].coefficients_covariance);
+          }
+        }
+      });
+    }
+}
+
+// Lent counts take the place of counting, for one frame.
+TEST(PlaneFit, LentCountsAreThoseOfThePlanes) {
   const auto room = labelledRoom(160, 120);
   const SensorModel sensor = SensorModel::axial(0.002, 0.003, 2.0);
-  PlaneSegmentation first;
-  epcc::test::onEveryVectorUnit([&] {
-    for (const int threads : {1, 2, 5})
-      for (const int stride : {1, 2}) {
-        PlaneSegmentation segmentation;
-        segmentation.labels = room.labels;
-        epcc::PlaneFitter fitter;
-        ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {stride, stride / 2}, threads, segmentation));
-        if (stride > 1) continue;
-        if (first.planes.empty()) first = segmentation;
-        ASSERT_EQ(segmentation.labels, first.labels);
-        for (std::size_t k = 0; k < 3; ++k) {
-          ASSERT_EQ(segmentation.planes[k].coefficients, first.planes[k].coefficients);
-          ASSERT_EQ(segmentation.planes[k].coefficients_covariance, first.planes[k].coefficients_covariance);
-        }
-      }
-  });
+  PlaneSegmentation counted, lent;
+  counted.labels = lent.labels = room.labels;
+  for (auto* labels : {&counted.labels, &lent.labels})
+    for (std::int32_t& label : *labels) label = label == 77 ? 0 : label;
+  std::vector<long> pixels(3, 0);
+  for (const std::int32_t label : lent.labels)
+    if (label > 0) ++pixels[static_cast<std::size_t>(label - 1)];
+  epcc::PlaneFitter fitter;
+  ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {2, 1}, 1, counted));
+  fitter.lendCounts(pixels.data());
+  ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {2, 1}, 1, lent));
+  EXPECT_EQ(lent.labels, counted.labels);
+  pixels.assign(3, 5);  // and are forgotten
+  PlaneSegmentation again;
+  again.labels = counted.labels;
+  ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {2, 1}, 1, again));
+  ASSERT_EQ(lent.planes.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(lent.planes[k].pixel_count, counted.planes[k].pixel_count);
+    EXPECT_EQ(lent.planes[k].coefficients, counted.planes[k].coefficients);
+    EXPECT_EQ(again.planes[k].pixel_count, counted.planes[k].pixel_count);
+  }
 }
 
 TEST(PlaneFit, AFitterForgetsTheFrameBefore) {

@@ -49,9 +49,11 @@ TEST(VectorUnit, DepthsAreReadAlikeAndNoneBeyondTheEndIsTouched) {
   noise.a2 = 4e-6;
   noise.b2 = 9e-6;
   noise.place2 = 1e-7;
+  std::vector<float> first_weight;
   onEveryVectorUnit([&] {
     for (std::size_t count = 0; count < depth.size(); ++count) {
-      std::vector<float> w(depth.size() + 1, 7.0f), weight(w), metres(w);
+      std::vector<float> w(depth.size() + 1, 7.0f), weight(w), metres(w), feet(w);
+      epcc::depthsInMetres(depth.data(), count, 0.3048, feet.data());
       epcc::invertDepths(depth.data(), count, w.data());
       epcc::weighInverseDepths(w.data(), count, noise, 0.9f, weight.data());
       epcc::depthsInMetres(units.data(), count, 0.001, metres.data());
@@ -60,10 +62,17 @@ TEST(VectorUnit, DepthsAreReadAlikeAndNoneBeyondTheEndIsTouched) {
                            1.0f / depth[i] <= std::numeric_limits<float>::max();
         EXPECT_EQ(w[i], valid ? 1.0f / depth[i] : 0.0f) << i;
         EXPECT_EQ(metres[i], static_cast<float>(units[i] * 0.001)) << i;
+        const double z = static_cast<double>(depth[i]) * 0.3048;
+        const bool finite = z > 0.0 && z <= static_cast<double>(std::numeric_limits<float>::max());
+        EXPECT_EQ(feet[i], static_cast<float>(finite ? z : 0.0)) << i;
         const double expected = 0.81 / noise.variance(static_cast<double>(w[i]) * 0.9f);
         EXPECT_NEAR(static_cast<double>(weight[i]), expected, 1e-5 * expected) << i;
       }
-      for (const auto* values : {&w, &weight, &metres})
+      if (count + 1 == depth.size()) {
+        if (first_weight.empty()) first_weight = weight;
+        EXPECT_EQ(weight, first_weight);
+      }
+      for (const auto* values : {&w, &weight, &metres, &feet})
         for (std::size_t i = count; i < values->size(); ++i) EXPECT_EQ((*values)[i], 7.0f) << count;
     }
   });

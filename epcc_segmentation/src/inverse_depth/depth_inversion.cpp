@@ -18,6 +18,43 @@ namespace epcc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+#if HWY_TARGET == HWY_EMU128  // the compiler makes vectors of plain loops, but not of emulated masks
+
+constexpr float kLargest = std::numeric_limits<float>::max();
+
+// As the units' instructions have them.
+HWY_INLINE float larger(float a, float b) {
+  return a > b ? a : b;
+}
+HWY_INLINE float smaller(float a, float b) {
+  return a < b ? a : b;
+}
+
+/// w = 1/z; that of infinity is 0.
+void InvertDepths(const float* depth, std::size_t count, float* w) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float inverse = 1.0f / (depth[i] > 0.0f ? depth[i] : std::numeric_limits<float>::infinity());
+    w[i] = inverse <= kLargest ? inverse : 0.0f;
+  }
+}
+
+/// sigma_w^2 as below.
+void WeighInverseDepths(const float* w, std::size_t count, const InverseDepthNoise* noise, float scale, float* weight) {
+  const auto k1 = static_cast<float>(noise->k1), k2 = static_cast<float>(noise->k2), k3 = static_cast<float>(noise->k3);
+  const auto a2 = static_cast<float>(noise->a2), b2 = static_cast<float>(noise->b2);
+  const auto place2 = static_cast<float>(noise->place2);
+  const float scale2 = scale * scale;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float m = w[i] * scale;
+    const float m2 = m * m;
+    const float polynomial = k1 + m * (k2 + m * k3);
+    const float variance = larger(polynomial * polynomial + (b2 + (a2 * m2) * m2), place2 * m2);
+    weight[i] = smaller(kLargest, larger(std::numeric_limits<float>::min(), scale2 / variance));
+  }
+}
+
+#else
+
 using Floats = hn::ScalableTag<float>;
 using FloatVector = hn::Vec<Floats>;
 
@@ -71,6 +108,8 @@ void WeighInverseDepths(const float* w, std::size_t count, const InverseDepthNoi
     return hn::Min(most, hn::Max(least, hn::Div(scale2, variance)));
   });
 }
+
+#endif
 
 }  // namespace HWY_NAMESPACE
 }  // namespace epcc

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "vector/dispatch.h"
@@ -110,15 +111,19 @@ void copyRow(const DepthFrame& frame, int row, float sign, float* xyz) {
   const std::size_t stride = step * frame.pointStride();
   const float* point = frame.points() + frame.pointStride() * frame.index(row, 0);
   const int x = frame.isTransposed() ? 1 : 0;  // its place in the copy
-  for (int column = 0; column < columns; ++column, point += stride) {
+  int column = 0;
+  // Most points have a fourth float, and all four are copied at once; behind the last point there may be nothing.
+  if (x == 0 && sign > 0.0f && frame.pointStride() >= 4)
+    for (; column + 1 < columns; ++column, point += stride) std::memcpy(xyz + 4 * column, point, 4 * sizeof(float));
+  for (; column < columns; ++column, point += stride) {
     xyz[4 * column + x] = point[0];
     xyz[4 * column + 1 - x] = sign * point[1];
     xyz[4 * column + 2] = sign * point[2];
   }
   if (frame.mask() == nullptr) return;
   const std::uint8_t* mask = frame.mask() + frame.index(row, 0);
-  for (int column = 0; column < columns; ++column, mask += step)
-    if (*mask == 0) xyz[4 * column + 2] = 0.0f;
+  for (int masked = 0; masked < columns; ++masked, mask += step)
+    if (*mask == 0) xyz[4 * masked + 2] = 0.0f;
 }
 
 void addRows(const double* slope, std::size_t columns, double* along) {

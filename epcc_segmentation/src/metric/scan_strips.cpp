@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud_points.h"
+
 namespace epcc {
 
 namespace {
@@ -12,24 +14,6 @@ namespace {
 /// What is too far for single precision is not measured.
 void dropFarthest(float* depth, std::size_t count, float farthest) {
   for (std::size_t i = 0; i < count; ++i) depth[i] = depth[i] <= farthest ? depth[i] : 0.0f;
-}
-
-/// Points of a row in the scan frame, zeros where nothing is measured or too far.
-void readPoints(const DepthFrame& view, int row, int first, int count, float* x, float* y, float* z) {
-  Eigen::Vector3d p;
-  for (int i = 0; i < count; ++i) {
-    if (!view.scanPoint(row, first + i, p)) p.setZero();
-    x[i] = static_cast<float>(p.x());
-    y[i] = static_cast<float>(p.y());
-    z[i] = static_cast<float>(p.z());
-  }
-  for (int i = 0; i < count; ++i) {
-    const float largest = std::max(std::abs(x[i]), std::max(std::abs(y[i]), std::abs(z[i])));
-    const bool is_near = largest <= kFarthest;
-    x[i] = is_near ? x[i] : 0.0f;
-    y[i] = is_near ? y[i] : 0.0f;
-    z[i] = is_near ? z[i] : 0.0f;
-  }
 }
 
 }  // namespace
@@ -109,10 +93,7 @@ ScanStrip ScanStrips::fromPoints(const DepthFrame& view, int strip, std::vector<
   float* y = x + size;
   float* z = y + size;
   if (lines < kStripLines) std::fill(memory.begin(), memory.end(), 0.0f);
-  for (int r = 0; r < height_; ++r) {
-    const std::size_t at = static_cast<std::size_t>(r) * kStripLines;
-    readPoints(view, r, first, lines, x + at, y + at, z + at);
-  }
+  readScanPoints(view, {0, height_, first, lines, 1}, kFarthest, {x, y, z, kStripLines});
   ScanStrip result;
   result.height = height_;
   result.stride = kStripLines;
