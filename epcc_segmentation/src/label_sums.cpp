@@ -40,6 +40,7 @@ HWY_INLINE void addTo(VD sum, double* total) {
 struct RowSums {
   VD one, x, z, xx, xz, zz;
 
+  HWY_INLINE RowSums() {}  // that of GCC lacks the vector unit's instructions, which on arm64 is an error
   HWY_INLINE void clear() { one = x = z = xx = xz = zz = hn::Zero(Double()); }
   HWY_INLINE void add(VD weight, VD weight_x, VD weight_z, VD px, VD pz) {
     one = hn::Add(one, weight);
