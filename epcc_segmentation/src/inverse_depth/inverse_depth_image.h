@@ -77,7 +77,7 @@ struct InverseDepthImage {
 
   PerspectivePoints points_;
   std::vector<double> column_count_, row_count_;  // valid points of a cloud
-  std::vector<float> row_depths_;  // a row for each thread
+  std::vector<float> row_depths_;                 // a row for each thread
 };
 
 /// How many of `count` values are samples: every stride-th from stride / 2 on; never none.
