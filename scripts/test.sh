@@ -8,13 +8,15 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 stage() { printf '==== %s (after %d s)\n' "$1" "$SECONDS"; }
 
 stage "Packages"
-scripts/install_packages.sh clang-format-14 shellcheck valgrind
+scripts/install_packages.sh clang-format-14 shellcheck valgrind g++-aarch64-linux-gnu
 stage "Format, scripts, floors"
 scripts/check_format.sh
 scripts/check_scripts.sh
 scripts/check_floors.sh
 stage "Build"
 scripts/build.sh release
+stage "The core compiled for arm64"
+scripts/check_arm64.sh
 stage "Instructions a frame"
 scripts/check_speed.sh || (($? == 77)) # not on every processor
 stage "Tests of the core, the PCL class and the data sets under AddressSanitizer and UndefinedBehaviorSanitizer"

@@ -10,7 +10,7 @@
 namespace epcc {
 namespace {
 
-constexpr int kStep = 6;     // drawn side by side the segments would be an overlay
+constexpr int kStep = 6;     // at least, between scan lines: drawn side by side the segments would be an overlay
 constexpr int kDimming = 2;  // of the relief, so that thin lines stand out
 constexpr Rgb kEnd{18, 18, 22};
 constexpr Rgb kNoPlane[] = {{255, 255, 255}, {0, 0, 0}};
@@ -34,9 +34,13 @@ ColorImage drawSegments(const DepthImage& depth, const std::vector<LineSegment>&
   ColorImage image = shadeDepth(depth);
   for (Rgb& pixel : image.data) pixel = dimmed(pixel);
   std::size_t turn = 0;
+  const LineSegment* drawn = nullptr;  // the last; a grid has any of the scan lines, so that none is always there
   for (const LineSegment& segment : segments) {
     if (!isInside(depth, segment)) throw std::invalid_argument("a line segment lies outside the image");
-    if (segment.line % kStep != 0) continue;
+    const bool beside = drawn != nullptr && drawn->scan == segment.scan && drawn->line != segment.line &&
+                        segment.line < drawn->line + kStep;
+    if (beside) continue;
+    drawn = &segment;
     const Rgb color = segment.label > 0 ? labelColor(segment.label) : kNoPlane[turn++ % 2];
     for (int i = segment.first; i < segment.last; ++i) image.at(segment.row(i), segment.column(i)) = color;
     image.at(segment.row(segment.last), segment.column(segment.last)) = kEnd;

@@ -9,8 +9,9 @@
 
 namespace epcc {
 
-/// Every sixth scan line's segments on the dimmed relief of the depth: in the colour of their plane, those of no plane
-/// in black and white by turns; a dark pixel marks the end. Of two scan directions both are drawn, as a grid. Throws
+/// The segments of scan lines six pixels apart, or more if the list has no such line, on the dimmed relief of the
+/// depth: in the colour of their plane, those of no plane in black and white by turns; a dark pixel marks the end. Of
+/// two scan directions both are drawn, as a grid. `segments` are in the order of PlaneSegmentation::segments. Throws
 /// std::invalid_argument if a segment lies outside.
 ColorImage drawSegments(const DepthImage& depth, const std::vector<LineSegment>& segments);
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "datasets/support/input_error.h"
+#include "epcc_segmentation/vector_unit.h"
 
 namespace epcc {
 
@@ -29,6 +30,7 @@ std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* 
                                     std::ostream& err, const std::function<void()>& check) {
   try {
     app.parse(argc, argv);
+    require(vectorUnitProblem().empty(), vectorUnitProblem());
     if (check) check();
   } catch (const CLI::CallForHelp&) {
     out << app.help();

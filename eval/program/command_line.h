@@ -23,7 +23,7 @@ enum ExitCode {
 
 /// Reads the command line of the program that `app` is named after ("epcc_eval merge" complains as "epcc_eval: merge"),
 /// then calls `check`. Returns an exit code if the program is done: help, version, or an error, which is told on `err`
-/// in one line.
+/// in one line. EPCC_VECTOR_UNIT counts as part of it: no input is to blame for a unit that the machine has not.
 std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv, std::ostream& out,
                                     std::ostream& err, const std::function<void()>& check = {});
 

@@ -23,7 +23,7 @@ constexpr const char* kIntroduction =
     "order (`parameters.h`, `paper_parameters.h`).\n\n"
     "Most users need none of these: say what the sensor is (`--noise`), or let it be measured. Lengths in sigma are\n"
     "in standard deviations of the sensor model (sigma_w: of an inverse depth); independent samples are pixels\n"
-    "divided by those that the sensor's correlated error covers. S1 to S8, c1 and c2 are the steps and symbols of\n"
+    "divided by those that the sensor's correlated error covers. S1 to S9, c1 and c2 are the steps and symbols of\n"
     "[the algorithm](../research/algorithm.md).\n";
 
 /// Where a field's heading comes from: the beginning of its name.

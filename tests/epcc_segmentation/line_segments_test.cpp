@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -219,6 +220,29 @@ TEST(LineSegments, InverseDepthModeHasBothDirectionsAndTheLabelsOfTheEnd) {
   }
   for (const ScanDirection scan : {ScanDirection::Columns, ScanDirection::Rows})
     EXPECT_GT(samples[scan], static_cast<long>(room.depth.size()) * 8 / 10);
+}
+
+/// 640 pixels are wide enough for every second row and column.
+TEST(LineSegments, OnAGridThoseOfItsScanLinesAreListedInPixelsOfTheImage) {
+  const auto room = noisyRoom(1, 640, 480);
+  const auto result = extract(room.frame(), withSegments(Parameters(), ScanDirection::Both));
+  expectInOrder(result.segments);
+  std::map<ScanDirection, std::set<int>> lines;
+  for (const LineSegment& segment : result.segments) {
+    lines[segment.scan].insert(segment.line);
+    EXPECT_EQ(segment.line % 2, 1);
+    EXPECT_EQ(segment.first % 2, 1);
+    EXPECT_EQ(segment.last % 2, 1);
+    EXPECT_LE(segment.samples, (segment.last - segment.first) / 2 + 1);
+    expectEndsOnTheLine(segment, room.frame());
+    std::vector<int> all;
+    for (int i = segment.first; i <= segment.last; i += 2) all.push_back(i);
+    if (segment.samples == static_cast<int>(all.size())) expectBatchMoments(segment, all, room.frame());
+  }
+  EXPECT_EQ(lines[ScanDirection::Columns].size(), 320u);
+  EXPECT_EQ(lines[ScanDirection::Rows].size(), 240u);
+  EXPECT_EQ(*lines[ScanDirection::Columns].rbegin(), 639);
+  EXPECT_EQ(*lines[ScanDirection::Rows].rbegin(), 479);
 }
 
 TEST(LineSegments, InverseDepthModeOnASphericalScanHasColumnsOnly) {

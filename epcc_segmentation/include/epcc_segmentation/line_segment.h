@@ -16,13 +16,15 @@ namespace epcc {
 /// - t2: place along the axis, in the order of the pixels: y of a column (-y if y is up), x of a row, -z of a spherical
 ///   scan.
 /// The line passes through `mean` along the main axis of `covariance`; in the paper mode these are the prototype's own.
-/// In the inverse-depth mode, which grows its lines in inverse depth, they are those of the samples it took, in metres.
+/// In the inverse-depth mode, which grows its lines in inverse depth, they are those of the samples it took, in metres;
+/// its samples are those of a grid, every `inverse_depth.stride`-th row and column, and other scan lines have none.
 struct LineSegment {
   ScanDirection scan = ScanDirection::Columns;  ///< Columns: part of an image column; Rows: part of a row
-  int line = 0;                                 ///< which column or row
+  int line = 0;                                 ///< which column or row of the image
   int first = 0;                                ///< where in it the first sample lies: the row, or the column ...
   int last = 0;                                 ///< ... and the last
-  /// Samples taken; pixels between first and last that are not measured or were rejected do not count.
+  /// Samples taken; pixels between first and last that are not measured, were rejected or are not on the grid do not
+  /// count.
   int samples = 0;
   /// 0 or the plane of the samples as in PlaneSegmentation::labels; inverse-depth mode: the label that most of them
   /// have.

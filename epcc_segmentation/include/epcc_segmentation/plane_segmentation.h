@@ -44,7 +44,8 @@ struct PlaneSegmentation {
   std::vector<std::int32_t> labels;
   std::vector<Plane> planes;
   /// The line segments of all scan lines if Parameters::line_segments asks for them: those of the columns, then those
-  /// of the rows; scan line by scan line, and in order along each.
+  /// of the rows; scan line by scan line, and in order along each. The inverse-depth mode has scan lines at every
+  /// `inverse_depth.stride`-th column and row, of an image 640 pixels wide columns and rows 1, 3, 5, ...
   std::vector<LineSegment> segments;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The grid of samples that S1 to S8 work on, and what the parameters are on it.
+// The grid of samples that S1 to S9 work on, and what the parameters are on it.
 #pragma once
 
 #include "epcc_segmentation/inverse_depth_parameters.h"

@@ -107,6 +107,7 @@ struct Agreement {
   V mean1, mean2, residuals, normal1, normal2, normal_squared;
   V t1, t2, ray1, ray2, variance;
 
+  HWY_INLINE Agreement() {}  // see Samples
   HWY_INLINE void loadCandidates(const SampleBuffer& b, int i) {
     namespace hn = hwy::HWY_NAMESPACE;
     const BufferTag d;

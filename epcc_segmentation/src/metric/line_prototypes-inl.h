@@ -24,6 +24,8 @@ struct Prototypes {
   VF n, mean1, mean2, s11, s22, s12, residuals;
   VF normal1, normal2, normal_squared;
   VI number, last, waiting;  // segment, row of its last sample, samples rejected since
+
+  HWY_INLINE Prototypes() {}  // see Samples
 };
 
 /// No prototype accepts anything: its residuals are negative.

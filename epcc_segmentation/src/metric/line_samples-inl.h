@@ -25,10 +25,13 @@ using VI = hn::Vec<Int>;
 using MF = hn::Mask<Float>;
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(Float()));
 
-/// A sample of each lane.
+/// A sample of each lane. Structs of vectors have constructors here, for those that GCC makes itself lack the vector
+/// unit's instructions, which on arm64 is an error.
 struct Samples {
   VF t1, t2, ray1, ray2, variance;
   MF measured;
+
+  HWY_INLINE Samples() {}
 };
 
 HWY_INLINE MF isMeasured(VF t1, VF t2) {

@@ -25,7 +25,8 @@ std::vector<Unit> units() {
   const std::int64_t available = HWY_TARGETS & (hwy::SupportedTargets() | HWY_STATIC_TARGET);
   std::vector<Unit> result;
   for (const Unit& unit : kAll)
-    if ((unit.target & available) != 0) result.push_back(unit);
+    if ((unit.target & available) != 0 && (result.empty() || result.back().target != unit.target))
+      result.push_back(unit);  // on arm64 NEON is the baseline, too
   return result;
 }
 

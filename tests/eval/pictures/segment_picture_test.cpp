@@ -47,9 +47,27 @@ TEST(SegmentPicture, SegmentsOfNoPlaneTakeTurns) {
 
 TEST(SegmentPicture, LinesBetweenAreLeftOut) {
   const DepthImage depth(20, 10, 2.0F);
-  const ColorImage none = drawSegments(depth, {});
-  const ColorImage image = drawSegments(depth, {segment(ScanDirection::Columns, 7, 1, 4, 3)});
-  for (std::size_t i = 0; i < image.data.size(); ++i) EXPECT_TRUE(same(image.data[i], none.data[i]));
+  std::vector<LineSegment> all;
+  for (int line = 0; line < 20; ++line) all.push_back(segment(ScanDirection::Columns, line, 1, 4, 3));
+  const ColorImage image = drawSegments(depth, all);
+  for (int line = 0; line < 20; ++line) EXPECT_EQ(same(image.at(2, line), labelColor(3)), line % 6 == 0) << line;
+}
+
+/// A grid has columns 1, 3, 5 ... or 2, 6, 10 ...: every sixth column of the image may be none of them.
+TEST(SegmentPicture, ScanLinesOfAGridAreDrawnWhereverTheyLie) {
+  const DepthImage depth(40, 40, 2.0F);
+  for (const int stride : {2, 3, 4}) {
+    std::vector<LineSegment> all;
+    for (const ScanDirection scan : {ScanDirection::Columns, ScanDirection::Rows})
+      for (int line = stride / 2; line < 40; line += stride) all.push_back(segment(scan, line, 0, 30, 3));
+    const ColorImage image = drawSegments(depth, all);
+    const int step = stride == 4 ? 8 : 6;
+    for (int line = 0; line < 40; ++line) {
+      const bool drawn = line % step == stride / 2;
+      EXPECT_EQ(same(image.at(0, line), labelColor(3)), drawn) << stride << ' ' << line;
+      EXPECT_EQ(same(image.at(line, 0), labelColor(3)), drawn) << stride << ' ' << line;
+    }
+  }
 }
 
 TEST(SegmentPicture, SegmentsOutsideAreRefused) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every option of epcc_segment: what it does and what it refuses.
+#include "epcc_segmentation/vector_unit.h"
 #include "tests/eval/segment/tool_runner.h"
 
 namespace {
@@ -65,6 +66,7 @@ TEST_F(SegmentOptions, HelpNamesEveryOption) {
                              "--timing",
                              "--version",
                              "--help",
+                             "EPCC_VECTOR_UNIT",
                              "Exit codes"}) {
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   }
@@ -75,6 +77,22 @@ TEST_F(SegmentOptions, VersionIsOneLine) {
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_EQ(version.out.rfind("epcc_segment ", 0), 0U);
   EXPECT_EQ(version.out.find('\n') + 1, version.out.size());
+}
+
+/// Not one line for every input: none of them is to blame.
+TEST_F(SegmentOptions, AVectorUnitThatTheMachineHasNotIsRefused) {
+  const std::vector<std::string> arguments = {"room_depth.png", "room_depth.png", "--out", "out"};
+  const auto withUnit = [&](const std::string& unit, const std::vector<std::string>& more) {
+    return epcc::test::runTool(EPCC_SEGMENT, more, folder(), "EPCC_VECTOR_UNIT='" + unit + "' ");
+  };
+  epcc::test::expectFailure(withUnit("abacus", arguments), "epcc_segment", 2,
+                            "EPCC_VECTOR_UNIT is 'abacus'; this machine has " + epcc::vectorUnits().front());
+  EXPECT_FALSE(exists("out"));
+  EXPECT_EQ(withUnit("abacus", {"--help"}).exit_code, 0);
+  const std::string table = good({}).out;
+  for (const std::string& unit : epcc::vectorUnits()) {
+    EXPECT_EQ(withUnit(unit, {"room_depth.png"}).out, table) << unit;
+  }
 }
 
 TEST_F(SegmentOptions, NoInput) {
