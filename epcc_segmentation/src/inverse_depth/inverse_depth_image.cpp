@@ -147,9 +147,7 @@ void sampleCoordinates(const std::vector<double>& from, int count, int stride, s
 
 }  // namespace
 
-void InverseDepthImage::sample(const InverseDepthImage& image, int every) {
-  original = &image;
-  stride = every;
+void InverseDepthImage::sample(const InverseDepthImage& image, int stride) {
   width = sampleCount(image.width, stride);
   height = sampleCount(image.height, stride);
   planar_rows = image.planar_rows;

@@ -45,9 +45,6 @@ struct InverseDepthImage {
   /// Per row: measured inverse depth = w * measured_scale; 1 for perspective frames, cos(elevation) for scans.
   std::vector<double> measured_scale;
   InverseDepthNoise noise;
-  /// Of samples: the image that they are of, and every how many rows and columns.
-  const InverseDepthImage* original = nullptr;
-  int stride = 1;
 
   Eigen::Vector3d ray(int row, int column) const {
     return {across[static_cast<std::size_t>(column)], along[static_cast<std::size_t>(row)],

@@ -27,8 +27,9 @@ void InverseDepthPipeline::configure(const Parameters& parameters, const SensorM
 }
 
 void InverseDepthPipeline::begin(InverseDepthImage& image) {
-  stride_ = strideFor(std::max(image.width, image.height), parameters_.inverse_depth.stride);
-  grid_parameters_ = onGrid(parameters_.inverse_depth, stride_);
+  const int longer_side = std::max(image.width, image.height);
+  stride_ = strideFor(longer_side, parameters_.inverse_depth.stride);
+  grid_parameters_ = onGrid(parameters_.inverse_depth, longer_side, stride_);
   grid_sensor_ = onGrid(sensor_, stride_);
   InverseDepthImage& grid = stride_ > 1 ? samples_ : image;
   if (stride_ > 1) grid.sample(image, stride_);

@@ -12,8 +12,11 @@ namespace {
 constexpr double kPixelsPerStride = 320.0;
 constexpr int kMaxDefaultStride = 4;
 
-int nearest(int pixels, int stride, int least) {
-  return std::max(least, static_cast<int>(std::lround(static_cast<double>(pixels) / stride)));
+constexpr double kLongerSideOfPixels = 640.0;
+constexpr double kMaxShortening = 4.0;
+
+int nearest(int pixels, double scale, int least) {
+  return std::max(least, static_cast<int>(std::lround(pixels / scale)));
 }
 
 }  // namespace
@@ -23,22 +26,23 @@ int strideFor(int longer_side, int stride) {
   return std::clamp(static_cast<int>(std::lround(longer_side / kPixelsPerStride)), 1, kMaxDefaultStride);
 }
 
-InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int stride) {
+InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int longer_side, int stride) {
   InverseDepthParameters grid = parameters;
-  if (stride == 1) return grid;
-  const int area = stride * stride;
-  grid.min_points = nearest(parameters.min_points, area, 1);
+  const double shortening = std::clamp(kLongerSideOfPixels / longer_side, 1.0, kMaxShortening);
+  const double scale = std::max(static_cast<double>(stride), shortening);
+  const double area = scale * scale;
+  grid.min_points = nearest(parameters.min_points, stride * stride, 1);
   InverseDepthParameters::Expert& expert = grid.expert;
-  expert.lines.min_samples = nearest(expert.lines.min_samples, stride, 3);
+  expert.lines.min_samples = nearest(expert.lines.min_samples, scale, 3);
   // Rounded down: a line that reached farther than before would run across grooves.
-  expert.lines.max_gap_pixels = std::max(0, (expert.lines.max_gap_pixels + 1) / stride - 1);
-  expert.planes.min_overlap_pixels = nearest(expert.planes.min_overlap_pixels, stride, 1);
+  expert.lines.max_gap_pixels = std::max(0, static_cast<int>((expert.lines.max_gap_pixels + 1) / scale) - 1);
+  expert.planes.min_overlap_pixels = nearest(expert.planes.min_overlap_pixels, scale, 1);
   expert.planes.min_points = nearest(expert.planes.min_points, area, 1);
-  expert.merging.min_bridge_pixels = nearest(expert.merging.min_bridge_pixels, stride, 1);
-  expert.merging.min_contacts = nearest(expert.merging.min_contacts, stride, 1);
-  expert.refinement.crease_vote_pixels = nearest(expert.refinement.crease_vote_pixels, stride, 1);
+  expert.merging.min_bridge_pixels = nearest(expert.merging.min_bridge_pixels, scale, 1);
+  expert.merging.min_contacts = nearest(expert.merging.min_contacts, scale, 1);
+  expert.refinement.crease_vote_pixels = nearest(expert.refinement.crease_vote_pixels, scale, 1);
   expert.refinement.crease_min_votes =
-      std::min(expert.refinement.crease_min_votes, nearest(expert.refinement.crease_min_votes, stride, 2));
+      std::min(expert.refinement.crease_min_votes, nearest(expert.refinement.crease_min_votes, scale, 2));
   return grid;
 }
 

@@ -11,9 +11,11 @@ namespace epcc {
 /// error is correlated, and where it is not it is small faces, not the number of samples, that limit what is found.
 int strideFor(int longer_side, int stride);
 
-/// Parameters and sensor in samples of the grid, from those in pixels. What counts independent samples, ratios or sigma
-/// stays.
-InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int stride);
+/// Parameters in samples of the grid, from those in pixels. What counts independent samples, ratios or sigma stays. The
+/// expert's lengths are pixels of an image whose longer side is 640: in a smaller one, where the same face is fewer
+/// pixels wide, they are divided by up to four. min_points is the user's and stays what it says.
+InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int longer_side, int stride);
+/// The sensor's error with its correlation length in samples.
 SensorModel onGrid(const SensorModel& sensor, int stride);
 
 }  // namespace epcc

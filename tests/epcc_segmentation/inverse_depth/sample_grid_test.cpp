@@ -28,7 +28,7 @@ TEST(SampleGrid, TheDefaultStrideIsOneForEvery320Columns) {
 
 TEST(SampleGrid, ParametersInPixelsBecomeOnesInSamples) {
   const InverseDepthParameters pixels;
-  const InverseDepthParameters two = onGrid(pixels, 2);
+  const InverseDepthParameters two = onGrid(pixels, 640, 2);
   EXPECT_EQ(two.min_points, 15);
   EXPECT_EQ(two.expert.lines.min_samples, 3);
   EXPECT_EQ(two.expert.lines.max_gap_pixels, 2);  // a reach of three samples
@@ -36,10 +36,16 @@ TEST(SampleGrid, ParametersInPixelsBecomeOnesInSamples) {
   EXPECT_EQ(two.expert.planes.min_points, 10);
   EXPECT_EQ(two.expert.merging.min_contacts, 2);
   EXPECT_EQ(two.expert.refinement.crease_vote_pixels, 3);
-  const InverseDepthParameters four = onGrid(pixels, 4);
+  const InverseDepthParameters four = onGrid(pixels, 1280, 4);
   EXPECT_EQ(four.expert.lines.min_samples, 3) << "two samples always lie on a line";
   EXPECT_EQ(four.expert.lines.max_gap_pixels, 0) << "a reach of six pixels holds one sample of four, not two";
   EXPECT_EQ(four.expert.merging.min_bridge_pixels, 1);
+  const InverseDepthParameters small = onGrid(pixels, 320, 1);
+  EXPECT_EQ(small.expert.lines.min_samples, 3) << "the lengths of half the image, where all is half as wide";
+  EXPECT_EQ(small.expert.planes.min_points, 10);
+  EXPECT_EQ(small.min_points, 60) << "the user's";
+  EXPECT_EQ(onGrid(pixels, 32, 1).expert.planes.min_points, 3) << "no image is worth less than one of 160 pixels";
+  EXPECT_EQ(onGrid(pixels, 4096, 1).expert.lines.min_samples, 6);
   EXPECT_EQ(four.line_k_max, pixels.line_k_max) << "what is in sigma stays";
   EXPECT_EQ(four.expert.evidence.min_evidence, pixels.expert.evidence.min_evidence);
 }
