@@ -40,9 +40,10 @@ InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int long
   expert.planes.min_points = nearest(expert.planes.min_points, area, 1);
   expert.merging.min_bridge_pixels = nearest(expert.merging.min_bridge_pixels, scale, 1);
   expert.merging.min_contacts = nearest(expert.merging.min_contacts, scale, 1);
-  expert.refinement.crease_vote_pixels = nearest(expert.refinement.crease_vote_pixels, scale, 1);
+  // How far borders fray is a matter of the error, not of the faces.
+  expert.refinement.crease_vote_pixels = nearest(expert.refinement.crease_vote_pixels, stride, 1);
   expert.refinement.crease_min_votes =
-      std::min(expert.refinement.crease_min_votes, nearest(expert.refinement.crease_min_votes, scale, 2));
+      std::min(expert.refinement.crease_min_votes, nearest(expert.refinement.crease_min_votes, stride, 2));
   return grid;
 }
 
