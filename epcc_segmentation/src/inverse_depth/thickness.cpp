@@ -68,15 +68,20 @@ void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& pa
     return stride * region.n >=
            unit * border * min_thickness * std::pow(chi2, kPower) * std::pow(samples / kSamplesOfUnit, -kPower);
   };
-  memory.new_label.assign(map.regions.size() + 1, 0);
-  std::int32_t kept = 0;
+  memory.kept.clear();
   for (std::size_t k = 0; k < map.regions.size(); ++k) {
-    const PlaneMoments region = map.regions[k];
-    if (region.n <= 0.0 || !isThick(region, memory.border[k + 1])) continue;
-    map.regions[static_cast<std::size_t>(kept)] = region;
-    memory.new_label[k + 1] = ++kept;
+    const PlaneMoments& region = map.regions[k];
+    if (region.n > 0.0 && isThick(region, memory.border[k + 1])) memory.kept.push_back({region, k});
   }
-  map.regions.resize(static_cast<std::size_t>(kept));
+  std::sort(memory.kept.begin(), memory.kept.end(), [](const auto& a, const auto& b) {
+    return a.region.n != b.region.n ? a.region.n > b.region.n : a.index < b.index;
+  });
+  memory.new_label.assign(map.regions.size() + 1, 0);
+  map.regions.clear();
+  for (const ThicknessMemory::Kept& kept : memory.kept) {
+    map.regions.push_back(kept.region);
+    memory.new_label[kept.index + 1] = static_cast<std::int32_t>(map.regions.size());
+  }
   map.relabel(memory.new_label);
 }
 

@@ -15,13 +15,19 @@ struct ThicknessMemory {
   PixelList pixels;
   std::vector<double> border;
   std::vector<std::int32_t> new_label;
+  struct Kept {
+    PlaneMoments region;
+    std::size_t index;
+  };
+  std::vector<Kept> kept;
 };
 
 /// Unlabels the regions that are thinner than a plane of their size and roughness would be: t = n / P with P the
 /// border, an edge to a pixel with depth counting 1, to a hole a quarter, the image's edge nothing. Kept is
 ///   t >= min_thickness chi^1.2 (n / (30 L))^-0.6,
 /// in pixels, L the pixels that an independent sample covers, at most 100. `stride` is that of the grid of `image`,
-/// `sensor` in pixels of it. What is left is numbered anew, without gaps.
+/// `sensor` in pixels of it. What is left is numbered anew, the largest
+/// first: the planes of the result are, too, and few pixels have to change their number once more.
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
                 int stride, RegionMap& map, ThicknessMemory& memory);
 

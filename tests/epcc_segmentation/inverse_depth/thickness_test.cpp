@@ -75,6 +75,20 @@ TEST(Thickness, RoughRegionsMustBeThicker) {
   EXPECT_FALSE(stays(rough, band));
 }
 
+TEST(Thickness, TheLargestIsTheFirst) {
+  const InverseDepthImage image = epcc::test::imageOf(wall(), kSensor);
+  std::vector<std::int32_t> labels;
+  for (int row = 0; row < kHeight; ++row)
+    for (int column = 0; column < kWidth; ++column) labels.push_back(column < 40 ? 1 : column < 120 ? 3 : 2);
+  epcc::ThicknessMemory memory;
+  RegionMap map = epcc::test::regionsOf(image, labels, 3);
+  epcc::rejectThin(image, InverseDepthParameters(), kSensor, 1, map, memory);
+  ASSERT_EQ(map.regions.size(), 3u);
+  EXPECT_EQ(map.regions[0].n, 80.0 * kHeight);
+  const std::int32_t expected[] = {0, 2, 3, 1};  // of equal ones the former first goes first
+  for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(map.labels[i], expected[labels[i]]);
+}
+
 TEST(Thickness, WhatIsLeftIsNumberedWithoutGaps) {
   const InverseDepthImage image = epcc::test::imageOf(wall(), kSensor);
   std::vector<std::int32_t> labels;
