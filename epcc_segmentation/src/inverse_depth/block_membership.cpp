@@ -5,10 +5,9 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "inverse_depth/block_membership.cpp"
 #include <hwy/foreach_target.h>
-// (the kernels below are compiled once for each vector unit)
 #include <hwy/highway.h>
 
-#include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/noise_variance-inl.h"
 #include "vector/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,14 +24,8 @@ template <bool kPolynomial>
 HWY_INLINE void LabelRun(const PixelRow& row, std::int32_t label, int begin, int end, std::int32_t* labels) {
   const Floats d;
   const Labels di;
-  const InverseDepthNoise& noise = *row.noise;
+  const NoiseVectors<Floats> noise(d, *row.noise);
   const PixelPlane& plane = row.planes[label];
-  const auto k1 = hn::Set(d, static_cast<float>(noise.k1));
-  const auto k2 = hn::Set(d, static_cast<float>(noise.k2));
-  const auto k3 = hn::Set(d, static_cast<float>(noise.k3));
-  const auto a2 = hn::Set(d, static_cast<float>(noise.a2));
-  const auto b2 = hn::Set(d, static_cast<float>(noise.b2));
-  const auto place2 = hn::Set(d, static_cast<float>(noise.place2));
   const auto scale = hn::Set(d, row.scale);
   const auto q_across = hn::Set(d, plane.across);
   const auto q_forward = hn::Set(d, plane.forward);
@@ -43,14 +36,7 @@ HWY_INLINE void LabelRun(const PixelRow& row, std::int32_t label, int begin, int
     const auto w = hn::LoadU(d, w_at);
     const auto expected = hn::Add(hn::Add(hn::Mul(q_across, hn::LoadU(d, across_at)), along),
                                   hn::Mul(q_forward, hn::LoadU(d, forward_at)));
-    const auto m = hn::Mul(w, scale);
-    const auto m2 = hn::Mul(m, m);
-    const auto axial = hn::Add(b2, hn::Mul(hn::Mul(a2, m2), m2));
-    auto variance = hn::Max(axial, hn::Mul(place2, m2));
-    if (kPolynomial) {
-      const auto polynomial = hn::Add(k1, hn::Mul(m, hn::Add(k2, hn::Mul(m, k3))));
-      variance = hn::Max(hn::Add(hn::Mul(polynomial, polynomial), axial), variance);
-    }
+    const auto variance = noise.template variance<kPolynomial>(hn::Mul(w, scale));
     const auto residual = hn::Mul(hn::Sub(w, expected), scale);
     const auto on_plane = hn::Le(hn::Mul(residual, residual), hn::Mul(limit, variance));
     return hn::IfThenElseZero(hn::RebindMask(di, hn::And(on_plane, hn::Gt(w, hn::Zero(d)))), own);

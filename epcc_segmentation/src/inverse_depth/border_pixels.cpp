@@ -5,12 +5,11 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "inverse_depth/border_pixels.cpp"
 #include <hwy/foreach_target.h>
-// (the kernels below are compiled once for each vector unit)
 #include <hwy/highway.h>
 
 #include <cstddef>
 
-#include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/noise_variance-inl.h"
 #include "vector/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,22 +40,11 @@ HWY_INLINE PlaneVectors PlanesAt(const PixelPlane* planes, IntegerVector labels,
   return {hn::Add(sum, hn::Mul(hn::GatherIndex(d, numbers + 2, at), forward)), hn::GatherIndex(d, numbers + 4, at)};
 }
 
-/// scale / sigma_w.
-HWY_INLINE FloatVector InverseSigma(const InverseDepthNoise& noise, FloatVector w, FloatVector scale) {
-  const auto number = [](double value) HWY_ATTR { return hn::Set(Floats(), static_cast<float>(value)); };
-  const auto m = hn::Mul(w, scale);
-  const auto m2 = hn::Mul(m, m);
-  const auto polynomial =
-      hn::Add(number(noise.k1), hn::Mul(m, hn::Add(number(noise.k2), hn::Mul(m, number(noise.k3)))));
-  const auto axial = hn::Add(number(noise.b2), hn::Mul(hn::Mul(number(noise.a2), m2), m2));
-  const auto variance = hn::Max(hn::Add(hn::Mul(polynomial, polynomial), axial), hn::Mul(number(noise.place2), m2));
-  return hn::Div(scale, hn::Sqrt(variance));
-}
-
 void DecideBorderPixels(const BorderPixels* pixels, const BorderQuestions::Arrays* asked, std::int32_t* labels) {
   const Floats d;
   const Integers di;
   const BorderPixels& image = *pixels;
+  const NoiseVectors<Floats> noise(d, *image.noise);
   const auto zero = hn::Zero(d);
   const auto range = hn::Set(d, image.crease_range);
   for (std::size_t i = 0; i < asked->count; i += kLanes) {
@@ -71,7 +59,8 @@ void DecideBorderPixels(const BorderPixels* pixels, const BorderQuestions::Array
     const auto across = hn::GatherIndex(d, image.rays.across, column);
     const auto along = hn::GatherIndex(d, image.rays.along, row);
     const auto forward = hn::GatherIndex(d, image.rays.forward, column);
-    const auto inverse_sigma = InverseSigma(*image.noise, w, hn::GatherIndex(d, image.scale, row));
+    const auto scale = hn::GatherIndex(d, image.scale, row);
+    const auto inverse_sigma = hn::Div(scale, hn::Sqrt(noise.variance(hn::Mul(w, scale))));
     const PlaneVectors mine = PlanesAt(image.planes, current, across, along, forward);
     const PlaneVectors theirs = PlanesAt(image.planes, other, across, along, forward);
     const auto my_error = hn::Mul(hn::Mul(hn::Abs(hn::Sub(w, mine.w)), inverse_sigma), mine.inverse_root_slope);

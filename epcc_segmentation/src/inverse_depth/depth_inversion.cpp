@@ -5,12 +5,11 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "inverse_depth/depth_inversion.cpp"
 #include <hwy/foreach_target.h>
-// (the kernels below are compiled once for each vector unit)
 #include <hwy/highway.h>
 
 #include <limits>
 
-#include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/noise_variance-inl.h"
 #include "vector/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -85,26 +84,17 @@ void InvertDepths(const float* depth, std::size_t count, float* w) {
   });
 }
 
-/// sigma_w^2 = max((k1 + k2 w + k3 w^2)^2 + b^2 + a^2 w^4, place^2 w^2), at the measured inverse depth.
+/// 1/sigma_w^2 at the measured inverse depth.
 void WeighInverseDepths(const float* w, std::size_t count, const InverseDepthNoise* noise, float scale, float* weight) {
   const Floats d;
-  const auto k1 = hn::Set(d, static_cast<float>(noise->k1));
-  const auto k2 = hn::Set(d, static_cast<float>(noise->k2));
-  const auto k3 = hn::Set(d, static_cast<float>(noise->k3));
-  const auto a2 = hn::Set(d, static_cast<float>(noise->a2));
-  const auto b2 = hn::Set(d, static_cast<float>(noise->b2));
-  const auto place2 = hn::Set(d, static_cast<float>(noise->place2));
+  const NoiseVectors<Floats> noise_vectors(d, *noise);
   const auto scales = hn::Set(d, scale);
   const auto scale2 = hn::Set(d, scale * scale);
   // A float holds the weight of any depth that a sensor gives; of others it stays finite and positive.
   const auto least = hn::Set(d, std::numeric_limits<float>::min());
   const auto most = hn::Set(d, std::numeric_limits<float>::max());
   forEachVector(w, count, weight, [&](FloatVector value) HWY_ATTR {
-    const auto m = hn::Mul(value, scales);
-    const auto m2 = hn::Mul(m, m);
-    const auto polynomial = hn::Add(k1, hn::Mul(m, hn::Add(k2, hn::Mul(m, k3))));
-    const auto axial = hn::Add(b2, hn::Mul(hn::Mul(a2, m2), m2));
-    const auto variance = hn::Max(hn::Add(hn::Mul(polynomial, polynomial), axial), hn::Mul(place2, m2));
+    const auto variance = noise_vectors.variance(hn::Mul(value, scales));
     return hn::Min(most, hn::Max(least, hn::Div(scale2, variance)));
   });
 }

@@ -5,7 +5,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "inverse_depth/perspective_points.cpp"
 #include <hwy/foreach_target.h>
-// (the kernels below are compiled once for each vector unit)
 #include <hwy/highway.h>
 
 #include <algorithm>
