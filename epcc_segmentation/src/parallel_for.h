@@ -24,4 +24,21 @@ void parallelFor(int count, int threads, const Work& work) {
   onWorkers(parts, std::ref(take));  // a function object of its own would be allocated
 }
 
+/// The same for work whose parts take unlike times: calls work(thread, begin, end) for several parts per thread, and who
+/// has done one takes the next. `thread` says whose memory a call may use; no call may depend on those before it.
+template <typename Work>
+void sharedFor(int count, int threads, const Work& work) {
+  constexpr int kPartsPerThread = 8;
+  const int sharers = std::max(1, std::min(threads, count));
+  const int parts = sharers == 1 ? 1 : std::min(kPartsPerThread * sharers, count);
+  const auto bound = [&](int part) { return static_cast<int>(static_cast<long>(count) * part / parts); };
+  std::atomic<int> next_thread{0};
+  std::atomic<int> next_part{0};
+  const auto take = [&] {
+    const int thread = next_thread++;
+    for (int part = next_part++; part < parts; part = next_part++) work(thread, bound(part), bound(part + 1));
+  };
+  onWorkers(sharers, std::ref(take));
+}
+
 }  // namespace epcc

@@ -12,6 +12,7 @@
 #include "metric/recursive_statistics.h"
 #include "parallel_for.h"
 #include "plane_fit_samples.h"
+#include "thin_out.h"
 
 namespace epcc {
 
@@ -103,15 +104,10 @@ int samplesAlong(int size, const FitSamples& samples) {
   return std::max(0, (size - samples.offset + samples.stride - 1) / samples.stride);
 }
 
-/// Every stride-th value, in its own place or another.
+/// Those of a row's values that are samples.
 template <typename T>
-void thinOut(const T* from, int width, const FitSamples& samples, T* to) {
-  const int count = samplesAlong(width, samples);
-  from += samples.offset;
-  if (samples.stride == 2)  // the compiler knows how to take every second one
-    for (int i = 0; i < count; ++i) to[i] = from[2 * i];
-  else
-    for (int i = 0; i < count; ++i, from += samples.stride) to[i] = *from;
+void takeSamples(const T* from, int width, const FitSamples& samples, T* to) {
+  thinOut(from + samples.offset, samplesAlong(width, samples), samples.stride, to);
 }
 
 }  // namespace
@@ -122,7 +118,7 @@ bool PlaneFitter::readLabels(const std::int32_t* labels, int width, const FitSam
   if (samples.stride == 1)
     std::copy(labels, labels + width, row.begin());
   else
-    thinOut(labels, width, samples, row.data());
+    takeSamples(labels, width, samples, row.data());
   const auto count = static_cast<std::size_t>(samplesAlong(width, samples));
   if (!only_.empty()) changeLabels(row.data(), count, plane_count_, only_.data());
   std::int32_t any = 0;
@@ -149,7 +145,7 @@ void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& varianc
     row.across = across_.data();
     if (!is_whole) {
       band.across.resize(padded);
-      thinOut(across_.data(), image.width(), samples, band.across.data());
+      takeSamples(across_.data(), image.width(), samples, band.across.data());
       row.across = band.across.data();
     }
   } else {
@@ -171,7 +167,7 @@ void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& varianc
         depth = depth_ + static_cast<std::size_t>(r) * depth_stride_;
       else
         image.depthRow(r, is_whole ? z : x);
-      if (!in_place) thinOut(depth, image.width(), samples, z);
+      if (!in_place) takeSamples(depth, image.width(), samples, z);
       row.z = in_place ? depth : z;
       row.along = image.pinholeAlong(r);
     } else {
@@ -184,7 +180,7 @@ void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& varianc
 void PlaneFitter::sumAll(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples,
                          int threads, const std::vector<std::int32_t>& labels) {
   const int rows = samplesAlong(image.height(), samples);
-  parallelFor(kBands, threads, [&](int, int first_band, int end_band) {
+  sharedFor(kBands, threads, [&](int, int first_band, int end_band) {
     for (int b = first_band; b < end_band; ++b)
       sumBand(image, variance, samples, labels, rows * b / kBands, rows * (b + 1) / kBands,
               bands_[static_cast<std::size_t>(b)]);
@@ -193,7 +189,7 @@ void PlaneFitter::sumAll(const DepthFrame& image, const SensorVariance& variance
 
 void PlaneFitter::countPixels(const DepthFrame& image, int threads, const std::vector<std::int32_t>& labels) {
   const auto pixels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
-  parallelFor(kBands, threads, [&](int, int first_band, int end_band) {
+  sharedFor(kBands, threads, [&](int, int first_band, int end_band) {
     for (int b = first_band; b < end_band; ++b) {
       Band& band = bands_[static_cast<std::size_t>(b)];
       const std::size_t begin = pixels * static_cast<std::size_t>(b) / kBands;
@@ -296,7 +292,7 @@ void PlaneFitter::renumber(int threads, std::vector<std::int32_t>& labels) const
   for (std::size_t i = 0; i < new_label_.size(); ++i)
     changes = changes || new_label_[i] != static_cast<std::int32_t>(i);
   if (!changes) return;
-  parallelFor(kBands, threads, [&](int, int first_band, int end_band) {
+  sharedFor(kBands, threads, [&](int, int first_band, int end_band) {
     const std::size_t begin = labels.size() * static_cast<std::size_t>(first_band) / kBands;
     const std::size_t end = labels.size() * static_cast<std::size_t>(end_band) / kBands;
     changeLabels(labels.data() + begin, end - begin, plane_count_, new_label_.data());

@@ -115,7 +115,7 @@ void DirectionJoining::join(const InverseDepthImage& image, const std::array<Dir
   known_segment_.assign(parts * width, -1);
   known_rank_.resize(parts * width);
 
-  parallelFor(image.height, threads, [&](int thread, int begin, int end) {
+  sharedFor(image.height, threads, [&](int thread, int begin, int end) {
     JoinedRow in;
     in.width = image.width;
     in.known_segment = known_segment_.data() + static_cast<std::size_t>(thread) * width;

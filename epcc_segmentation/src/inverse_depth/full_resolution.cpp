@@ -153,7 +153,7 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
   const int probe = std::max(1, (rule.crease_vote_pixels + stride / 2) / stride);
   border_memory_.resize(static_cast<std::size_t>(std::max(1, threads)));
   // Each pixel faces one block beside it and one above or below it, and is asked once about each.
-  parallelFor(sample_rows, threads, [&](int thread, int begin, int end) {
+  sharedFor(sample_rows, threads, [&](int thread, int begin, int end) {
     BorderMemory& memory = border_memory_[static_cast<std::size_t>(thread)];
     BorderEdges edges(image, map, stride, probe, planes_.data(), rays, memory);
     for (int sample_row = begin; sample_row < end; ++sample_row) {
@@ -169,7 +169,7 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
         decideBorderPixels(pixels, memory.questions, labels.data());
     }
   });
-  parallelFor(sample_rows - 1, threads, [&](int thread, int begin, int end) {
+  sharedFor(sample_rows - 1, threads, [&](int thread, int begin, int end) {
     BorderMemory& memory = border_memory_[static_cast<std::size_t>(thread)];
     BorderEdges edges(image, map, stride, probe, planes_.data(), rays, memory);
     for (int sample_row = begin + 1; sample_row < end + 1; ++sample_row) {

@@ -7,6 +7,7 @@
 
 #include "inverse_depth/depth_inversion.h"
 #include "parallel_for.h"
+#include "thin_out.h"
 
 namespace epcc {
 
@@ -54,7 +55,7 @@ void InverseDepthImage::read(const DepthFrame& frame, int threads) {
 void InverseDepthImage::readDepths(const DepthFrame& frame, int threads) {
   const auto columns = static_cast<std::size_t>(width);
   row_depths_.resize(columns * static_cast<std::size_t>(std::max(1, threads)));
-  parallelFor(height, threads, [&](int thread, int begin, int end) {
+  sharedFor(height, threads, [&](int thread, int begin, int end) {
     float* depths = row_depths_.data() + static_cast<std::size_t>(thread) * columns;
     for (int r = begin; r < end; ++r) {
       along[static_cast<std::size_t>(r)] = frame.pinholeAlong(r);
@@ -147,7 +148,7 @@ void sampleCoordinates(const std::vector<double>& from, int count, int stride, s
 
 }  // namespace
 
-void InverseDepthImage::sample(const InverseDepthImage& image, int stride) {
+void InverseDepthImage::sample(const InverseDepthImage& image, int stride, int threads) {
   width = sampleCount(image.width, stride);
   height = sampleCount(image.height, stride);
   planar_rows = image.planar_rows;
@@ -155,25 +156,27 @@ void InverseDepthImage::sample(const InverseDepthImage& image, int stride) {
   sampleCoordinates(image.forward, width, stride, forward);
   sampleCoordinates(image.along, height, stride, along);
   sampleCoordinates(image.measured_scale, height, stride, measured_scale);
-  const auto columns = static_cast<std::size_t>(width);
-  w.resize(columns * static_cast<std::size_t>(height));
-  const auto image_columns = static_cast<std::size_t>(image.width);
-  for (std::size_t r = 0; r < static_cast<std::size_t>(height); ++r) {
-    const float* from = image.w.data() + samplePlace(r, stride, static_cast<std::size_t>(image.height)) * image_columns;
-    float* to = w.data() + r * columns;
-    const float* next = from + samplePlace(0, stride, image_columns);
-    for (std::size_t c = 0; c < columns; ++c, next += stride) to[c] = *next;
-  }
+  w.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const std::size_t first = samplePlace(0, stride, static_cast<std::size_t>(image.width));
+  sharedFor(height, threads, [&](int /*thread*/, int begin, int end) {
+    for (int r = begin; r < end; ++r) {
+      const std::size_t from =
+          samplePlace(static_cast<std::size_t>(r), stride, static_cast<std::size_t>(image.height));
+      thinOut(image.w.data() + image.index(static_cast<int>(from), 0) + first, width, stride, w.data() + index(r, 0));
+    }
+  });
 }
 
-void InverseDepthImage::weigh(const SensorModel& sensor, double place_variance) {
+void InverseDepthImage::weigh(const SensorModel& sensor, double place_variance, int threads) {
   noise = InverseDepthNoise::of(sensor);
   noise.place2 = place_variance;
   const auto columns = static_cast<std::size_t>(width);
   weight.resize(w.size());
-  for (std::size_t r = 0; r < static_cast<std::size_t>(height); ++r)
-    weighInverseDepths(w.data() + r * columns, columns, noise, static_cast<float>(measured_scale[r]),
-                       weight.data() + r * columns);
+  sharedFor(height, threads, [&](int /*thread*/, int begin, int end) {
+    for (int r = begin; r < end; ++r)
+      weighInverseDepths(w.data() + index(r, 0), columns, noise,
+                         static_cast<float>(measured_scale[static_cast<std::size_t>(r)]), weight.data() + index(r, 0));
+  });
 }
 
 double pixelPitch(const std::vector<double>& coordinate) {

@@ -61,10 +61,10 @@ struct InverseDepthImage {
   /// Reads a frame; memory is reused. Cloud rays are estimated per row and column from the points.
   void read(const DepthFrame& frame, int threads = 1);
   /// Takes every stride-th row and column of an image, from stride / 2 on; at least one of each.
-  void sample(const InverseDepthImage& image, int stride);
+  void sample(const InverseDepthImage& image, int stride, int threads = 1);
   /// What the sensor says of it: noise and weights. A value may come from anywhere within its pixel, the one that was
   /// measured: on an image that was sampled, place_variance is that of the original.
-  void weigh(const SensorModel& sensor, double place_variance);
+  void weigh(const SensorModel& sensor, double place_variance, int threads = 1);
   void weigh(const SensorModel& sensor) { weigh(sensor, placeVariance()); }
 
  private:

@@ -32,8 +32,8 @@ void InverseDepthPipeline::begin(InverseDepthImage& image) {
   grid_parameters_ = onGrid(parameters_.inverse_depth, longer_side, stride_);
   grid_sensor_ = onGrid(sensor_, stride_);
   InverseDepthImage& grid = stride_ > 1 ? samples_ : image;
-  if (stride_ > 1) grid.sample(image, stride_);
-  grid.weigh(sensor_, image.placeVariance());
+  if (stride_ > 1) grid.sample(image, stride_, parameters_.threads);
+  grid.weigh(sensor_, image.placeVariance(), parameters_.threads);
   full_image_ = &image;
   image_ = &grid;
   for (DirectionalPlanes& direction : directions_) direction.configure(grid_parameters_, grid_sensor_);
@@ -42,13 +42,13 @@ void InverseDepthPipeline::begin(InverseDepthImage& image) {
 }
 
 // The strips of both directions know nothing of each other. Those of rows, which take longer or shorter, are spread
-// evenly among those of columns: so each thread has as many.
+// evenly among those of columns.
 void InverseDepthPipeline::growLines() {
   for (DirectionalPlanes& direction : directions_) direction.beginLines(*image_, grid_parameters_);
   const int rows = directions_[1].strips();
   const int all = directions_[0].strips() + rows;
   strip_memory_.resize(static_cast<std::size_t>(std::max(1, parameters_.threads)));
-  parallelFor(all, parameters_.threads, [&](int thread, int begin, int end) {
+  sharedFor(all, parameters_.threads, [&](int thread, int begin, int end) {
     StripMemory& memory = strip_memory_[static_cast<std::size_t>(thread)];
     memory.growing.configure(grid_parameters_);
     for (int k = begin; k < end; ++k) {
