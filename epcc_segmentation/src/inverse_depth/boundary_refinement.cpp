@@ -8,22 +8,35 @@
 #include <limits>
 #include <utility>
 
+#include "parallel_for.h"
+
 namespace epcc {
 
 namespace {
 
+constexpr std::size_t kPart = 256;  // pixels of the frontier: what is noted of them stays in the cache
+constexpr std::size_t kPartsWorthThreads = 4;
+
 class Refiner {
  public:
   Refiner(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map,
-          RefinementMemory& memory)
+          RefinementMemory& memory, int threads)
       : image_(image),
         parameters_(parameters.expert.refinement),
+        threads_(threads),
         labels_(map.labels.data()),
         words_(wordsOf(image.width)),
         memory_(memory),
         frontier_(memory.frontier),
         moves_(map.moves) {
     moves_.begin(map.regions.size());
+    memory_.parts.resize(static_cast<std::size_t>(std::max(1, threads)));
+    for (Part& part : memory_.parts) {
+      part.choices.resize(kPart);
+      part.candidates.resize(4 * kPart + 1);
+      part.at_crease.resize(4 * kPart + 1);
+      part.changed.resize(kPart + 1);
+    }
     memory_.planes.assign(map.regions.size() + 1, RefinedPlane());
     for (std::size_t k = 0; k < map.regions.size(); ++k) {
       if (map.regions[k].n <= 0.0) continue;
@@ -47,6 +60,7 @@ class Refiner {
   using Pixel = RefinementMemory::Pixel;
   using Choice = RefinementMemory::Choice;
   using Candidate = RefinementMemory::Candidate;
+  using Part = RefinementMemory::Part;
 
   const RefinedPlane& planeOf(std::int32_t label) const { return memory_.planes[static_cast<std::size_t>(label)]; }
   double planeAt(std::int32_t label, int row, int column) const {
@@ -116,20 +130,26 @@ class Refiner {
   // All decisions of a pass are made from the labels before it: their order is of no importance. Which way a pixel
   // decides is hard to predict, so that each question is put to all of them before the next one.
   void refineFrontier() {
-    constexpr std::size_t kPart = 256;  // pixels: what is noted of them stays in the cache
-    memory_.changes.clear();
-    memory_.choices.resize(kPart);
-    memory_.candidates.resize(4 * kPart + 1);
-    memory_.at_crease.resize(4 * kPart + 1);
-    memory_.changed.resize(kPart + 1);
-    for (std::size_t begin = 0; begin < memory_.frontier_count; begin += kPart) {
-      const Pixel* pixels = frontier_.data() + begin;
-      listCandidates(pixels, std::min(kPart, memory_.frontier_count - begin));
-      measureCandidates(pixels);
-      askCreases();
-      choose(pixels);
-    }
-    applyChanges();
+    const std::size_t parts = (memory_.frontier_count + kPart - 1) / kPart;
+    memory_.changes.resize(std::max(memory_.changes.size(), memory_.frontier_count));
+    memory_.change_counts.assign(parts, 0);
+    const int threads = parts < kPartsWorthThreads ? 1 : threads_;
+    sharedFor(static_cast<int>(parts), threads, [&](int thread, int begin, int end) {
+      Part& memory = memory_.parts[static_cast<std::size_t>(thread)];
+      for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part)
+        memory_.change_counts[part] = refinePart(kPart * part, memory);
+    });
+    for (std::size_t part = 0; part < parts; ++part)
+      applyChanges(memory_.changes.data() + kPart * part, memory_.change_counts[part]);
+  }
+
+  /// Returns how many pixels change.
+  std::size_t refinePart(std::size_t begin, Part& part) {
+    const Pixel* pixels = frontier_.data() + begin;
+    listCandidates(pixels, std::min(kPart, memory_.frontier_count - begin), part);
+    measureCandidates(pixels, part);
+    askCreases(part);
+    return choose(pixels, part, memory_.changes.data() + begin);
   }
 
   /// From bits to pixels with a depth, row by row.
@@ -157,12 +177,12 @@ class Refiner {
 
   // The labels of the four neighbours, but none twice running. Each is written down and the count decides whether it
   // stays. Beyond the image is the pixel itself.
-  void listCandidates(const Pixel* pixels, std::size_t pixel_count) {
+  void listCandidates(const Pixel* pixels, std::size_t pixel_count, Part& part) const {
     const std::ptrdiff_t line = image_.width;
     const auto last_column = static_cast<unsigned>(image_.width - 2),
                last_row = static_cast<unsigned>(image_.height - 2);
-    Choice* choice = memory_.choices.data();
-    Candidate* candidate = memory_.candidates.data();
+    Choice* choice = part.choices.data();
+    Candidate* candidate = part.candidates.data();
     for (std::size_t k = 0; k < pixel_count; ++k) {
       const Pixel pixel = pixels[k];
       const std::int32_t* label = labels_ + pixel.index;
@@ -190,15 +210,15 @@ class Refiner {
       offer(label[up]);
       offer(label[down]);
     }
-    memory_.candidate_count = static_cast<std::size_t>(candidate - memory_.candidates.data());
+    part.candidate_count = static_cast<std::size_t>(candidate - part.candidates.data());
   }
 
-  void measureCandidates(const Pixel* pixels) {
+  void measureCandidates(const Pixel* pixels, Part& part) const {
     std::size_t count = 0;
-    for (std::size_t k = 0; k < memory_.candidate_count; ++k) {
-      Candidate& candidate = memory_.candidates[k];
+    for (std::size_t k = 0; k < part.candidate_count; ++k) {
+      Candidate& candidate = part.candidates[k];
       const Pixel pixel = pixels[candidate.choice];
-      Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
+      Choice& choice = part.choices[static_cast<std::size_t>(candidate.choice)];
       const auto index = static_cast<std::size_t>(pixel.index);
       const auto w = static_cast<double>(image_.w[index]);
       const double inverse_sigma = std::sqrt(static_cast<double>(image_.weight[index]));
@@ -213,17 +233,17 @@ class Refiner {
       const double range = parameters_.crease_range;
       const bool near = (choice.current != 0) & (candidate.error <= range) & (candidate.other_error <= range) &
                         (std::abs(candidate.difference) * inverse_sigma <= range);
-      memory_.at_crease[count] = k;
+      part.at_crease[count] = k;
       count += near ? 1 : 0;
     }
-    memory_.at_crease_count = use_creases_ ? count : 0;
+    part.at_crease_count = use_creases_ ? count : 0;
   }
 
   // On a crease the geometry decides which of two planes is the surface, unless that costs too much.
-  void askCreases() {
-    for (std::size_t i = 0; i < memory_.at_crease_count; ++i) {
-      Candidate& candidate = memory_.candidates[memory_.at_crease[i]];
-      const Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
+  void askCreases(Part& part) const {
+    for (std::size_t i = 0; i < part.at_crease_count; ++i) {
+      Candidate& candidate = part.candidates[part.at_crease[i]];
+      const Choice& choice = part.choices[static_cast<std::size_t>(candidate.choice)];
       const Crease kind = memory_.creases.kindOf(choice.current, candidate.label);
       const bool current_is_surface =
           kind == Crease::Convex ? candidate.difference <= 0.0 : candidate.difference >= 0.0;
@@ -233,12 +253,12 @@ class Refiner {
     }
   }
 
-  void choose(const Pixel* pixels) {
+  std::size_t choose(const Pixel* pixels, Part& part, RefinementMemory::Change* changes) const {
     static constexpr double kOffer[2] = {std::numeric_limits<double>::infinity(), 0.0};
-    std::int32_t* changed = memory_.changed.data();
-    for (std::size_t k = 0; k < memory_.candidate_count; ++k) {
-      const Candidate& candidate = memory_.candidates[k];
-      Choice& choice = memory_.choices[static_cast<std::size_t>(candidate.choice)];
+    std::int32_t* changed = part.changed.data();
+    for (std::size_t k = 0; k < part.candidate_count; ++k) {
+      const Candidate& candidate = part.candidates[k];
+      Choice& choice = part.choices[static_cast<std::size_t>(candidate.choice)];
       const double gain = choice.current != 0 ? parameters_.flip_gain : 0.0;
       const bool better = (candidate.other_error < candidate.error - gain) & (candidate.other_error < choice.least);
       const bool flips = (candidate.verdict == Verdict::Flip) | ((candidate.verdict == Verdict::Residual) & better);
@@ -247,16 +267,18 @@ class Refiner {
       choice.best ^= (choice.best ^ candidate.label) & -static_cast<std::int32_t>(flips);
       choice.least = std::min(choice.least, candidate.other_error + kOffer[flips]);
     }
-    for (const std::int32_t* k = memory_.changed.data(); k != changed; ++k)
-      memory_.changes.push_back({pixels[*k], memory_.choices[static_cast<std::size_t>(*k)].best});
+    const std::int32_t* const first = part.changed.data();
+    for (const std::int32_t* k = first; k != changed; ++k)
+      changes[k - first] = {pixels[*k], part.choices[static_cast<std::size_t>(*k)].best};
+    return static_cast<std::size_t>(changed - first);
   }
 
   // The pixels that changed and those beside them are the next frontier.
-  void applyChanges() {
-    for (const RefinementMemory::Change& change : memory_.changes) {
-      const auto [index, row, column] = change.pixel;
-      moves_.move(image_, row, column, labels_[index], change.label);
-      labels_[index] = change.label;
+  void applyChanges(const RefinementMemory::Change* changes, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto [index, row, column] = changes[k].pixel;
+      moves_.move(image_, row, column, labels_[index], changes[k].label);
+      labels_[index] = changes[k].label;
       lookAgainAt(row, column);
       if (column > 0) lookAgainAt(row, column - 1);
       if (column + 1 < image_.width) lookAgainAt(row, column + 1);
@@ -273,6 +295,7 @@ class Refiner {
 
   const InverseDepthImage& image_;
   const InverseDepthParameters::Refinement& parameters_;
+  int threads_;
   std::int32_t* labels_;
   std::size_t words_;  // of a row's bits
   RefinementMemory& memory_;
@@ -284,8 +307,8 @@ class Refiner {
 }  // namespace
 
 void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map,
-                      RefinementMemory& memory) {
-  Refiner(image, parameters, map, memory).run();
+                      RefinementMemory& memory, int threads) {
+  Refiner(image, parameters, map, memory, threads).run();
   map.applyMoves(image);
 }
 

@@ -52,17 +52,22 @@ struct RefinementMemory {
   PixelList list;                      ///< some of a row
   // Lists that are written without branches are longer than what they hold; the counts are below.
   std::vector<Pixel> frontier;  ///< to look at in this pass
-  std::vector<Change> changes;  ///< of a pass
-  // Of a part of the frontier.
-  std::vector<Choice> choices;
-  std::vector<std::int32_t> changed;  ///< choices other than before
-  std::vector<Candidate> candidates;
-  std::vector<std::size_t> at_crease;  ///< the candidates for which a crease may decide
-  std::size_t frontier_count = 0, candidate_count = 0, at_crease_count = 0;
+  std::size_t frontier_count = 0;
+  std::vector<Change> changes;             ///< of a pass; those of a part begin where its pixels do in the frontier
+  std::vector<std::size_t> change_counts;  ///< of the parts
+  /// A thread's, of the part of the frontier that it looks at.
+  struct Part {
+    std::vector<Choice> choices;
+    std::vector<std::int32_t> changed;  ///< choices other than before
+    std::vector<Candidate> candidates;
+    std::vector<std::size_t> at_crease;  ///< the candidates for which a crease may decide
+    std::size_t candidate_count = 0, at_crease_count = 0;
+  };
+  std::vector<Part> parts;
 };
 
 /// Refines the labels with the planes of the regions' present moments, then brings the moments up to date.
 void refineBoundaries(const InverseDepthImage& image, const InverseDepthParameters& parameters, RegionMap& map,
-                      RefinementMemory& memory);
+                      RefinementMemory& memory, int threads = 1);
 
 }  // namespace epcc

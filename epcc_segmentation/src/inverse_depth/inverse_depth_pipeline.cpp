@@ -70,7 +70,7 @@ void InverseDepthPipeline::growPlanes() {
 
 void InverseDepthPipeline::joinDirections() {
   joining_.join(*image_, directions_, parameters_.threads, map_);
-  map_.accumulate(*image_);
+  map_.accumulate(*image_, parameters_.threads);
 }
 
 void InverseDepthPipeline::mergeRegions() {
@@ -82,7 +82,7 @@ void InverseDepthPipeline::mergeRegions() {
 }
 
 void InverseDepthPipeline::refineBoundaries() {
-  epcc::refineBoundaries(*image_, grid_parameters_, map_, refinement_);
+  epcc::refineBoundaries(*image_, grid_parameters_, map_, refinement_, parameters_.threads);
   mergeRegions();  // S6
 }
 

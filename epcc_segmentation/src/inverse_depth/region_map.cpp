@@ -2,11 +2,17 @@
 // Moments of labelled pixels, from sums over their rows.
 #include "inverse_depth/region_map.h"
 
+#include <algorithm>
+
 #include "inverse_depth/relabelling.h"
+#include "parallel_for.h"
 
 namespace epcc {
 
 namespace {
+
+// However many threads there are, the rows are summed in as many bands: one order of all sums.
+constexpr int kBands = 4;
 
 PlaneMoments momentsOf(const RaySums& s, bool spherical) {
   PlaneMoments moments;
@@ -19,23 +25,39 @@ PlaneMoments momentsOf(const RaySums& s, bool spherical) {
   return moments;
 }
 
-}  // namespace
-
-void RegionMap::accumulate(const InverseDepthImage& image) {
-  sums.assign(regions.size(), RaySums());
+void addRows(const InverseDepthImage& image, const std::vector<std::int32_t>& labels, int begin, int end,
+             RaySums* sums) {
   LabelledRow row;
   row.width = image.width;
   row.across = image.across.data();
   if (!image.planar_rows) row.forward = image.forward.data();
-  for (int r = 0; r < image.height; ++r) {
+  for (int r = begin; r < end; ++r) {
     const std::size_t start = image.index(r, 0);
     row.label = labels.data() + start;
     row.w = image.w.data() + start;
     row.weight = image.weight.data() + start;
     row.along = image.along[static_cast<std::size_t>(r)];
-    addRow(row, sums.data());
+    addRow(row, sums);
   }
-  for (std::size_t k = 0; k < regions.size(); ++k) regions[k] = momentsOf(sums[k], !image.planar_rows);
+}
+
+}  // namespace
+
+void RegionMap::accumulate(const InverseDepthImage& image, int threads) {
+  const std::size_t count = regions.size();
+  sums.resize(static_cast<std::size_t>(kBands) * count);
+  sharedFor(kBands, threads, [&](int /*thread*/, int first, int end) {
+    for (int band = first; band < end; ++band) {
+      RaySums* own = sums.data() + static_cast<std::size_t>(band) * count;
+      std::fill(own, own + count, RaySums());
+      addRows(image, labels, image.height * band / kBands, image.height * (band + 1) / kBands, own);
+    }
+  });
+  for (std::size_t k = 0; k < count; ++k) {
+    RaySums& sum = sums[k];
+    for (std::size_t other = k + count; other < sums.size(); other += count) sum += sums[other];
+    regions[k] = momentsOf(sum, !image.planar_rows);
+  }
 }
 
 void MomentMoves::move(const InverseDepthImage& image, int row, int column, std::int32_t from, std::int32_t to) {
@@ -59,11 +81,16 @@ void RegionMap::applyMoves(const InverseDepthImage& image) {
   }
 }
 
-void RegionMap::relabel(const std::vector<std::int32_t>& new_label) {
+void RegionMap::relabel(const std::vector<std::int32_t>& new_label, int threads) {
   std::size_t kept = 0;
   while (kept < new_label.size() && new_label[kept] == static_cast<std::int32_t>(kept)) ++kept;
   if (kept == new_label.size()) return;
-  relabelPixels(labels.data(), labels.size(), new_label.data());
+  const int blocks = static_cast<int>((labels.size() + kRelabelledBlock - 1) / kRelabelledBlock);
+  sharedFor(blocks, threads, [&](int /*thread*/, int begin, int end) {
+    const std::size_t first = kRelabelledBlock * static_cast<std::size_t>(begin);
+    const std::size_t last = std::min(labels.size(), kRelabelledBlock * static_cast<std::size_t>(end));
+    relabelPixels(labels.data() + first, last - first, new_label.data());
+  });
 }
 
 }  // namespace epcc

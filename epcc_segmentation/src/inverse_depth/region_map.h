@@ -31,14 +31,14 @@ struct RegionMap {
   std::vector<std::int32_t> labels;
   std::vector<PlaneMoments> regions;
   MomentMoves moves;
-  std::vector<RaySums> sums;  ///< memory of accumulate()
+  std::vector<RaySums> sums;  ///< memory of accumulate(), band by band
 
   /// Recomputes every region's moments from the labels.
-  void accumulate(const InverseDepthImage& image);
+  void accumulate(const InverseDepthImage& image, int threads = 1);
   /// Adds what `moves` holds to the moments: for a few pixels it takes a fraction of accumulate()'s time.
   void applyMoves(const InverseDepthImage& image);
   /// Gives every pixel of label k the label new_label[k]; regions are left as they are.
-  void relabel(const std::vector<std::int32_t>& new_label);
+  void relabel(const std::vector<std::int32_t>& new_label, int threads = 1);
 };
 
 }  // namespace epcc

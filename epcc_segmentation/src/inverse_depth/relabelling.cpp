@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "inverse_depth/relabelling.h"
 #include "vector/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,7 +16,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::size_t kBlock = 16;  // labels
+constexpr std::size_t kBlock = kRelabelledBlock;
 
 /// All of a block are the first.
 HWY_INLINE bool isUniform(const std::int32_t* labels) {

@@ -7,6 +7,9 @@
 
 namespace epcc {
 
+/// Labels that are looked at together.
+constexpr std::size_t kRelabelledBlock = 16;
+
 /// labels[i] = new_label[labels[i]].
 void relabelPixels(std::int32_t* labels, std::size_t count, const std::int32_t* new_label);
 
