@@ -37,7 +37,7 @@ bool isFacet(const Bending& bending, const InverseDepthParameters::Evidence& evi
 }  // namespace
 
 void rejectRegions(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                   RegionMap& map, EvidenceMemory& memory) {
+                   RegionMap& map, EvidenceMemory& memory, int threads) {
   const InverseDepthParameters::Evidence& evidence = parameters.expert.evidence;
   const double pixels_per_sample = sensor.pixelsPerSample();
   const std::size_t count = map.regions.size();
@@ -49,7 +49,7 @@ void rejectRegions(const InverseDepthImage& image, const InverseDepthParameters&
     memory.is_plane[k] = 1;
     memory.may_bend[k] = mayBeFacet(region, evidence, pixels_per_sample) ? 1 : 0;
   }
-  measureBending(image, map, memory.may_bend, memory.bending);
+  measureBending(image, map, memory.may_bend, memory.bending, threads);
 
   memory.new_label.assign(count + 1, 0);
   for (std::size_t k = 0; k < count; ++k)
@@ -57,7 +57,7 @@ void rejectRegions(const InverseDepthImage& image, const InverseDepthParameters&
       memory.new_label[k + 1] = static_cast<std::int32_t>(k + 1);
     else
       map.regions[k] = PlaneMoments();
-  map.relabel(memory.new_label);
+  map.relabel(memory.new_label, threads);
 }
 
 }  // namespace epcc

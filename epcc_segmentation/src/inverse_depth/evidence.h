@@ -25,6 +25,6 @@ struct EvidenceMemory {
 /// Unlabels the pixels of the regions that do not, and of those that are facets of a curved surface: a quadric explains
 /// most of their residual, and bends tightly.
 void rejectRegions(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                   RegionMap& map, EvidenceMemory& memory);
+                   RegionMap& map, EvidenceMemory& memory, int threads = 1);
 
 }  // namespace epcc

@@ -77,8 +77,9 @@ void InverseDepthPipeline::mergeRegions() {
   const InverseDepthParameters::Merging& merging = grid_parameters_.expert.merging;
   const double blotch = merging.bridge_samples * grid_sensor_.pixelsPerLineSample();
   const int bridge = std::max(merging.min_bridge_pixels, static_cast<int>(blotch));
-  findContacts(*image_, bridge, grid_parameters_.expert.refinement.max_residual, map_, contact_search_, contacts_);
-  merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_);
+  findContacts(*image_, bridge, grid_parameters_.expert.refinement.max_residual, map_, contact_search_, contacts_,
+               parameters_.threads);
+  merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_, parameters_.threads);
 }
 
 void InverseDepthPipeline::refineBoundaries() {
@@ -87,17 +88,17 @@ void InverseDepthPipeline::refineBoundaries() {
 }
 
 void InverseDepthPipeline::rejectClutter() {
-  rejectRegions(*image_, grid_parameters_, grid_sensor_, map_, evidence_);
+  rejectRegions(*image_, grid_parameters_, grid_sensor_, map_, evidence_, parameters_.threads);
 }
 
 void InverseDepthPipeline::joinOccluded() {
   findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
-                       grid_parameters_.expert.refinement.max_residual, map_, occlusion_, contacts_);
-  merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_);
+                       grid_parameters_.expert.refinement.max_residual, map_, occlusion_, contacts_, parameters_.threads);
+  merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_, parameters_.threads);
 }
 
 void InverseDepthPipeline::rejectThin() {
-  epcc::rejectThin(*image_, grid_parameters_, grid_sensor_, stride_, map_, thickness_);
+  epcc::rejectThin(*image_, grid_parameters_, grid_sensor_, stride_, map_, thickness_, parameters_.threads);
 }
 
 void InverseDepthPipeline::labelPixels() {

@@ -67,7 +67,7 @@ class InverseDepthPipeline {
   std::vector<StripMemory> strip_memory_;        // per thread
   DirectionJoining joining_;
   RegionMap map_;
-  ContactSearchMemory contact_search_;
+  std::vector<ContactSearchMemory> contact_search_;  // per band
   OcclusionMemory occlusion_;
   RegionContacts contacts_;
   RegionMerger merger_;

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "inverse_depth/region_contacts.h"
+#include "parallel_for.h"
 
 namespace epcc {
 
@@ -13,35 +14,39 @@ namespace {
 constexpr int kLineStep = 2;
 constexpr std::uint64_t kEvenColumns = 0x5555555555555555;
 
-/// Looks from both ends of a run of labels along its line, behind what is in front of the run's plane.
+constexpr int kBands = 8;  // of rows and of columns
+
+/// Looks from both ends of a run of labels along its line, behind what is in front of the run's plane: on the lines of
+/// a band.
 class OcclusionWalk {
  public:
-  OcclusionWalk(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
-                OcclusionMemory& memory, RegionContacts& contacts)
-      : image_(image), max_occluder_(max_occluder), labels_(map.labels.data()), memory_(memory), contacts_(contacts) {
-    memory_.planes.assign(1, OcclusionMemory::Plane());
-    for (const PlaneMoments& region : map.regions) {
-      const RegionPlane plane(region);
-      memory_.planes.push_back({plane.q.x(), plane.q.y(), plane.q.z(), residual * residual * plane.slope_factor});
-    }
-  }
+  OcclusionWalk(const InverseDepthImage& image, double max_occluder, const RegionMap& map,
+                const OcclusionMemory& memory, OcclusionMemory::Band& band)
+      : image_(image), max_occluder_(max_occluder), labels_(map.labels.data()), memory_(memory), band_(band) {}
 
-  void walkLines() {
-    for (RowBits* bits : {&memory_.left, &memory_.above}) bits->assign(wordsOf(image_.width), 0);
-    memory_.begins_on_columns.clear();
-    for (int row = 0; row < image_.height; ++row) {
+  /// Also lists where runs on columns begin.
+  void walkRows(int begin, int end) {
+    for (RowBits* bits : {&band_.left, &band_.above}) bits->assign(wordsOf(image_.width), 0);
+    band_.begins_on_columns.clear();
+    band_.on_rows.clear();
+    places_ = &band_.on_rows;
+    for (int row = begin; row < end; ++row) {
       listBeginsOnColumns(row);
       if (row % kLineStep != 0) continue;
       listBegins(row);
-      walkLine({row, 0}, {0, 1}, image_.width, memory_.begins);
+      walkLine({row, 0}, {0, 1}, image_.width, band_.begins);
     }
-    sortBegins();
-    for (int column = 0; column < image_.width; column += kLineStep) {
-      const int* first = memory_.first_of_column.data() + column / kLineStep;
-      memory_.begins.assign(1, 0);
-      memory_.begins.insert(memory_.begins.end(), memory_.sorted_begins.begin() + first[0],
-                            memory_.sorted_begins.begin() + first[1]);
-      walkLine({0, column}, {1, 0}, image_.height, memory_.begins);
+  }
+
+  void walkColumns(int first_line, int end_line) {
+    band_.on_columns.clear();
+    places_ = &band_.on_columns;
+    for (int line = first_line; line < end_line; ++line) {
+      const int* first = memory_.first_of_column.data() + line;
+      band_.begins.assign(1, 0);
+      band_.begins.insert(band_.begins.end(), memory_.sorted_begins.begin() + first[0],
+                          memory_.sorted_begins.begin() + first[1]);
+      walkLine({0, line * kLineStep}, {1, 0}, image_.height, band_.begins);
     }
   }
 
@@ -53,35 +58,19 @@ class OcclusionWalk {
 
   // ---- runs ----
   void listBegins(int row) {
-    markLeftBorders(labels_, image_.width, image_.height, row, memory_.left);
-    memory_.columns.clear(image_.width);
-    for (std::size_t word = 0; word < memory_.left.size(); ++word) memory_.columns.add(memory_.left[word], word);
-    memory_.begins.assign(1, 0);
-    memory_.begins.insert(memory_.begins.end(), memory_.columns.begin(), memory_.columns.end());
+    markLeftBorders(labels_, image_.width, image_.height, row, band_.left);
+    band_.columns.clear(image_.width);
+    for (std::size_t word = 0; word < band_.left.size(); ++word) band_.columns.add(band_.left[word], word);
+    band_.begins.assign(1, 0);
+    band_.begins.insert(band_.begins.end(), band_.columns.begin(), band_.columns.end());
   }
 
   void listBeginsOnColumns(int row) {
-    markUpperBorders(labels_, image_.width, row, memory_.above);
-    memory_.columns.clear(image_.width);
-    for (std::size_t word = 0; word < memory_.above.size(); ++word)
-      memory_.columns.add(memory_.above[word] & kEvenColumns, word);
-    for (const int column : memory_.columns) memory_.begins_on_columns.push_back({row, column / kLineStep});
-  }
-
-  /// Brings those on the columns from the order of rows into that of columns.
-  void sortBegins() {
-    const std::size_t lines = (static_cast<std::size_t>(image_.width) + kLineStep - 1) / kLineStep;
-    std::vector<int>& first = memory_.first_of_column;
-    first.assign(lines + 1, 0);
-    for (const OcclusionMemory::Begin& begin : memory_.begins_on_columns) ++first[static_cast<std::size_t>(begin.line)];
-    int sum = 0;
-    for (int& count : first) {
-      sum += count;
-      count = sum;
-    }
-    memory_.sorted_begins.resize(memory_.begins_on_columns.size());
-    for (auto begin = memory_.begins_on_columns.rbegin(); begin != memory_.begins_on_columns.rend(); ++begin)
-      memory_.sorted_begins[static_cast<std::size_t>(--first[static_cast<std::size_t>(begin->line)])] = begin->row;
+    markUpperBorders(labels_, image_.width, row, band_.above);
+    band_.columns.clear(image_.width);
+    for (std::size_t word = 0; word < band_.above.size(); ++word)
+      band_.columns.add(band_.above[word] & kEvenColumns, word);
+    for (const int column : band_.columns) band_.begins_on_columns.push_back({row, column / kLineStep});
   }
 
   // ---- a line ----
@@ -90,8 +79,8 @@ class OcclusionWalk {
     line_step_ = step;
     stride_ = static_cast<std::ptrdiff_t>(step.row) * image_.width + step.column;
     first_ = static_cast<std::ptrdiff_t>(image_.index(start.row, start.column));
-    memory_.labels.clear();
-    for (const int begin : begins) memory_.labels.push_back(labels_[first_ + begin * stride_]);
+    band_.labels.clear();
+    for (const int begin : begins) band_.labels.push_back(labels_[first_ + begin * stride_]);
     begins.push_back(length);
     begins_ = begins.data();
     runs_ = static_cast<int>(begins.size()) - 1;
@@ -108,7 +97,7 @@ class OcclusionWalk {
   Pixel pixelAt(int i) const {
     return {line_start_.row + i * line_step_.row, line_start_.column + i * line_step_.column};
   }
-  std::int32_t labelOf(int run) const { return memory_.labels[static_cast<std::size_t>(run)]; }
+  std::int32_t labelOf(int run) const { return band_.labels[static_cast<std::size_t>(run)]; }
 
   /// Adds a contact if the run goes on behind what comes next in `direction`. The longer of two runs looks for the
   /// other, no farther than an occluder of the two can reach: the walks along a line are no longer than a few lines
@@ -131,7 +120,7 @@ class OcclusionWalk {
         occluded |= place == Place::InFront;
         if (place == Place::InFront || other == 0) continue;
         const int seen = direction > 0 ? end(next) - i : i + 1 - begin(next);
-        if (occluded) meet(run, next, direction, edge, i, seen, hidden);
+        if (occluded) meet(run, direction, edge, i, seen, hidden);
         return;
       }
       if (hidden > reach) return;
@@ -139,12 +128,12 @@ class OcclusionWalk {
   }
 
   /// Two runs on one plane, seen from `edge` and `i` outwards, with `hidden` pixels between them.
-  void meet(int run, int other, int direction, int edge, int i, int seen, int hidden) {
+  void meet(int run, int direction, int edge, int i, int seen, int hidden) {
     const int length = lengthOf(run);
     const bool longer = direction > 0 ? seen <= length : seen < length;
     if (!longer || hidden > max_occluder_ * (length + seen)) return;
     const Pixel a = pixelAt(edge), b = pixelAt(i);
-    contacts_[{labelOf(run), labelOf(other)}].add(image_, a.row, a.column, b.row, b.column);
+    places_->push_back({a.row, a.column, b.row, b.column});
   }
 
   Place placeOf(int i, const OcclusionMemory::Plane& plane) const {
@@ -163,20 +152,64 @@ class OcclusionWalk {
   const InverseDepthImage& image_;
   double max_occluder_;
   const std::int32_t* labels_;
-  OcclusionMemory& memory_;
-  RegionContacts& contacts_;
+  const OcclusionMemory& memory_;
+  OcclusionMemory::Band& band_;
+  std::vector<OcclusionMemory::Place>* places_ = nullptr;  // of the lines that are walked
   Pixel line_start_{0, 0}, line_step_{0, 1};  // the line that is walked
   std::ptrdiff_t first_ = 0, stride_ = 1;     // the same, of the pixels
   const int* begins_ = nullptr;               // of its runs, and the line's end
   int runs_ = 0;
 };
 
+/// Brings the beginnings of runs on columns from the order of rows into that of columns.
+void sortBegins(int lines, OcclusionMemory& memory) {
+  std::vector<int>& first = memory.first_of_column;
+  first.assign(static_cast<std::size_t>(lines) + 1, 0);
+  for (const OcclusionMemory::Band& band : memory.bands)
+    for (const OcclusionMemory::Begin& begin : band.begins_on_columns) ++first[static_cast<std::size_t>(begin.line)];
+  int sum = 0;
+  for (int& count : first) {
+    sum += count;
+    count = sum;
+  }
+  memory.sorted_begins.resize(static_cast<std::size_t>(sum));
+  for (auto band = memory.bands.rbegin(); band != memory.bands.rend(); ++band)
+    for (auto begin = band->begins_on_columns.rbegin(); begin != band->begins_on_columns.rend(); ++begin)
+      memory.sorted_begins[static_cast<std::size_t>(--first[static_cast<std::size_t>(begin->line)])] = begin->row;
+}
+
 }  // namespace
 
 void findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
-                          OcclusionMemory& memory, RegionContacts& contacts) {
+                          OcclusionMemory& memory, RegionContacts& contacts, int threads) {
+  memory.planes.assign(1, OcclusionMemory::Plane());
+  for (const PlaneMoments& region : map.regions) {
+    const RegionPlane plane(region);
+    memory.planes.push_back({plane.q.x(), plane.q.y(), plane.q.z(), residual * residual * plane.slope_factor});
+  }
+  memory.bands.resize(kBands);
+  const auto walk = [&](int lines, void (OcclusionWalk::*walkBand)(int, int)) {
+    sharedFor(kBands, threads, [&](int /*thread*/, int first, int end) {
+      for (int k = first; k < end; ++k) {
+        OcclusionWalk band(image, max_occluder, map, memory, memory.bands[static_cast<std::size_t>(k)]);
+        (band.*walkBand)(lines * k / kBands, lines * (k + 1) / kBands);
+      }
+    });
+  };
+  walk(image.height, &OcclusionWalk::walkRows);
+  const int columns = (image.width + kLineStep - 1) / kLineStep;
+  sortBegins(columns, memory);
+  walk(columns, &OcclusionWalk::walkColumns);
+
   contacts.clear();
-  OcclusionWalk(image, max_occluder, residual, map, memory, contacts).walkLines();
+  const auto add = [&](const std::vector<OcclusionMemory::Place>& places) {
+    for (const auto& [row, column, other_row, other_column] : places) {
+      const RegionPair pair(map.labels[image.index(row, column)], map.labels[image.index(other_row, other_column)]);
+      contacts[pair].add(image, row, column, other_row, other_column);
+    }
+  };
+  for (const OcclusionMemory::Band& band : memory.bands) add(band.on_rows);
+  for (const OcclusionMemory::Band& band : memory.bands) add(band.on_columns);
 }
 
 }  // namespace epcc

@@ -2,7 +2,10 @@
 // Finds neighbouring regions at the borders of the labels.
 #include "inverse_depth/region_contacts.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "parallel_for.h"
 
 namespace epcc {
 
@@ -23,12 +26,22 @@ void RegionContacts::clear() {
   contacts.clear();
 }
 
+RegionContacts& RegionContacts::operator+=(const RegionContacts& other) {
+  const std::vector<RegionPair>& pairs = other.table.pairs();
+  for (std::size_t k = 0; k < pairs.size(); ++k) (*this)[pairs[k]] += other.contacts[k];
+  return *this;
+}
+
 const Contact* RegionContacts::find(const RegionPair& pair) const {
   const int number = table.numberOf(pair);
   return number < 0 ? nullptr : &contacts[static_cast<std::size_t>(number)];
 }
 
 namespace {
+
+// However many threads there are, contacts are summed in as many bands of rows: one order of all sums. They are few, for
+// what they find has to be brought together.
+constexpr int kBands = 2;
 
 /// Finds where labels follow each other on a row or column. Inside a region nothing needs to be looked at: each row
 /// tells by bits where a label begins or ends, to the left and above.
@@ -43,11 +56,13 @@ class ContactSearch {
         memory_(memory),
         contacts_(contacts) {}
 
-  void search() {
+  /// The places whose second pixel is in the rows [begin, end).
+  void search(int begin, int end) {
     memory_.borders.resize(image_.width);
     memory_.upper_labelled.assign(wordsOf(image_.width), 0);
     memory_.last_row.assign(static_cast<std::size_t>(image_.width), -bridge_ - 2);  // out of reach
-    for (int row = 0; row < image_.height; ++row) {
+    for (int row = std::max(0, begin - bridge_ - 1); row < begin; ++row) lookAhead(row);
+    for (int row = begin; row < end; ++row) {
       memory_.borders.mark(labels_, image_.width, image_.height, row);
       listPixels();
       addNeighbours(row);
@@ -60,6 +75,16 @@ class ContactSearch {
   }
 
  private:
+  /// What the rows above a band tell of its first ones.
+  void lookAhead(int row) {
+    markLabelled(labels_, image_.width, row, memory_.borders.labelled);
+    memory_.ends.clear(image_.width);
+    for (std::size_t word = 0; word < memory_.upper_labelled.size(); ++word)
+      memory_.ends.add(memory_.upper_labelled[word] & ~memory_.borders.labelled[word], word);
+    for (const int column : memory_.ends) lastRow(column) = row - 1;
+    std::swap(memory_.upper_labelled, memory_.borders.labelled);
+  }
+
   void listPixels() {
     for (PixelList* list : {&memory_.left, &memory_.above, &memory_.left_gap, &memory_.above_gap, &memory_.ends})
       list->clear(image_.width);
@@ -143,9 +168,18 @@ class ContactSearch {
 }  // namespace
 
 void findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map,
-                  ContactSearchMemory& memory, RegionContacts& contacts) {
-  contacts.clear();
-  ContactSearch(image, bridge, residual, map, memory, contacts).search();
+                  std::vector<ContactSearchMemory>& memory, RegionContacts& contacts, int threads) {
+  memory.resize(kBands);
+  sharedFor(kBands, threads, [&](int /*thread*/, int first, int end) {
+    for (int band = first; band < end; ++band) {
+      ContactSearchMemory& own = memory[static_cast<std::size_t>(band)];
+      RegionContacts& found = band == 0 ? contacts : own.contacts;
+      found.clear();
+      ContactSearch(image, bridge, residual, map, own, found)
+          .search(image.height * band / kBands, image.height * (band + 1) / kBands);
+    }
+  });
+  for (std::size_t band = 1; band < memory.size(); ++band) contacts += memory[band].contacts;
 }
 
 }  // namespace epcc

@@ -51,6 +51,8 @@ class RegionContacts {
     if (number == contacts.size()) contacts.emplace_back();
     return contacts[number];
   }
+  /// Pairs that are new get their numbers in the order of the other's.
+  RegionContacts& operator+=(const RegionContacts& other);
   /// That of a pair, null if it has none.
   const Contact* find(const RegionPair& pair) const;
 
@@ -58,8 +60,9 @@ class RegionContacts {
   std::vector<Contact> contacts;  ///< by number
 };
 
-/// What the search for contacts remembers of the lines, kept from frame to frame.
+/// What the search for contacts remembers of a band's lines, kept from frame to frame.
 struct ContactSearchMemory {
+  RegionContacts contacts;  ///< of a band of rows that is not the first
   RowBorders borders;
   RowBits upper_labelled;         ///< of the row above
   PixelList left, above;          ///< pixels whose neighbour has another label
@@ -71,7 +74,7 @@ struct ContactSearchMemory {
 /// Regions whose labels follow each other on a row or column across at most `bridge` unlabelled pixels, none of which
 /// lies farther away than both by more than `residual` sigma: a groove separates surfaces even if they are coplanar.
 void findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map,
-                  ContactSearchMemory& memory, RegionContacts& contacts);
+                  std::vector<ContactSearchMemory>& memory, RegionContacts& contacts, int threads = 1);
 
 /// What the search for occluded contacts remembers of the lines, kept from frame to frame.
 struct OcclusionMemory {
@@ -82,20 +85,28 @@ struct OcclusionMemory {
   struct Begin {
     int row, line;
   };
+  struct Place {
+    int row, column, other_row, other_column;
+  };
+  /// A band of lines.
+  struct Band {
+    RowBits left, above;
+    PixelList columns;
+    std::vector<int> begins;               ///< of the runs on a line
+    std::vector<std::int32_t> labels;      ///< of the runs on a line
+    std::vector<Begin> begins_on_columns;  ///< in the order of rows
+    std::vector<Place> on_rows, on_columns;  ///< where regions face each other
+  };
   std::vector<Plane> planes;  ///< per label
-  RowBits left, above;
-  PixelList columns;
-  std::vector<int> begins;               ///< of the runs on a line
-  std::vector<std::int32_t> labels;      ///< of the runs on a line
-  std::vector<Begin> begins_on_columns;  ///< in the order of rows
-  std::vector<int> sorted_begins;        ///< their rows, in that of columns
-  std::vector<int> first_of_column;      ///< in sorted_begins
+  std::vector<Band> bands;
+  std::vector<int> sorted_begins;    ///< rows of the beginnings on columns, in the order of columns
+  std::vector<int> first_of_column;  ///< in sorted_begins
 };
 
 /// Regions that face each other on a row or column across something nearer than the plane of the longer run by more
 /// than `residual` sigma, which takes no more pixels than max_occluder times those of the two, with nothing farther
 /// away between them. They may be one surface behind an occluder.
 void findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
-                          OcclusionMemory& memory, RegionContacts& contacts);
+                          OcclusionMemory& memory, RegionContacts& contacts, int threads = 1);
 
 }  // namespace epcc

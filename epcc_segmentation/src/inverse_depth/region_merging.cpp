@@ -18,7 +18,7 @@ constexpr double kGrowth = 1.1;           // of a region's pixels, until all its
 }  // namespace
 
 void RegionMerger::merge(RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                         RegionMap& map) {
+                         RegionMap& map, int threads) {
   parameters_ = parameters.expert.merging;
   region_tolerance_ = parameters.region_tolerance;
   pixels_per_sample_ = sensor.pixelsPerSample();
@@ -43,7 +43,7 @@ void RegionMerger::merge(RegionContacts& contacts, const InverseDepthParameters&
     mergeLabels(a, b);
   }
   dropSmallRegions(map.regions);
-  map.relabel(new_label_);
+  map.relabel(new_label_, threads);
 }
 
 void RegionMerger::begin(const RegionMap& map) {

@@ -21,7 +21,7 @@ class RegionMerger {
   /// Merges until no two regions in contact are alike, then unlabels the regions with fewer than min_samples
   /// independent samples. Labels and moments of `map` are updated; the contacts are used up.
   void merge(RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
-             RegionMap& map);
+             RegionMap& map, int threads = 1);
 
  private:
   /// A region, or what became of some. Which of two nodes takes the other in is a question of their contacts, not of

@@ -53,6 +53,15 @@ void RegionView::addRun(const InverseDepthImage& image, int row, int begin, int 
     for (int column = first; column < end; column += stride_) addOfScan(image, row, column, along);
 }
 
+RegionView& RegionView::operator+=(const RegionView& other) {
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) products_[i][j] += other.products_[i][j];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) residuals_[i][j] += other.residuals_[i][j];
+  rss_ += other.rss_;
+  return *this;
+}
+
 Bending RegionView::bending() const {
   Eigen::Matrix<double, 6, 6> normal_matrix;
   Terms right_side;

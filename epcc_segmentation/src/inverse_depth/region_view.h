@@ -26,6 +26,8 @@ class RegionView {
   bool isOnGrid(int row) const { return row % stride_ == 0; }
   /// Pixels [begin, end) of a row, those on the grid.
   void addRun(const InverseDepthImage& image, int row, int begin, int end);
+  /// Adds the pixels of another view of the region.
+  RegionView& operator+=(const RegionView& other);
   Bending bending() const;
 
  private:

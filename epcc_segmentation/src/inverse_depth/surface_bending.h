@@ -15,14 +15,18 @@ namespace epcc {
 struct BendingMemory {
   std::vector<Bending> bending;  ///< per region
 
-  std::vector<RegionView> views;
   std::vector<std::int32_t> view_of;  ///< per label, -1 none
-  RowBits left;
-  PixelList begins;  ///< of the runs on a row, but the first
+  /// A band of rows.
+  struct Band {
+    std::vector<RegionView> views;
+    RowBits left;
+    PixelList begins;  ///< of the runs on a row, but the first
+  };
+  std::vector<Band> bands;
 };
 
 /// Measures the regions k with wanted[k] != 0; the others stay zero. One pass over the pixels.
 void measureBending(const InverseDepthImage& image, const RegionMap& map, const std::vector<std::uint8_t>& wanted,
-                    BendingMemory& memory);
+                    BendingMemory& memory, int threads = 1);
 
 }  // namespace epcc

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "parallel_for.h"
+
 namespace epcc {
 
 namespace {
@@ -17,61 +19,75 @@ constexpr double kColumnsOfUnit = 640.0;     // min_thickness is in pixels of an
 constexpr double kSamplesOfUnit = 30.0;      // a region of so many independent samples needs min_thickness
 constexpr double kMaxPixelsPerSample = 100;  // else long blotches would excuse anything
 
-/// Border of each label, in edges of the grid.
+/// Border of each label, in edges of the grid: of some rows.
 class BorderLengths {
  public:
-  BorderLengths(const InverseDepthImage& image, const RegionMap& map, ThicknessMemory& memory)
-      : image_(image), labels_(map.labels.data()), length_(memory.border), borders_(memory.borders) {
-    length_.assign(map.regions.size() + 1, 0.0);
-    borders_.resize(image.width);
-    for (int row = 0; row < image.height; ++row) addRow(row, memory.pixels);
+  BorderLengths(const InverseDepthImage& image, const RegionMap& map, ThicknessMemory::Sweep& memory)
+      : image_(image), labels_(map.labels.data()), memory_(memory) {}
+
+  void addRow(int row) {
+    memory_.borders.mark(labels_, image_.width, image_.height, row);
+    const std::size_t start = image_.index(row, 0);
+    const auto visit = [&](const RowBits& bits, std::size_t step) {
+      memory_.pixels.clear(image_.width);
+      for (std::size_t word = 0; word < bits.size(); ++word) memory_.pixels.add(bits[word], word);
+      for (const int column : memory_.pixels) meet(start + static_cast<std::size_t>(column), step);
+    };
+    visit(memory_.borders.left, 1);
+    visit(memory_.borders.above, static_cast<std::size_t>(image_.width));
   }
 
  private:
-  void addRow(int row, PixelList& pixels) {
-    borders_.mark(labels_, image_.width, image_.height, row);
-    const std::size_t start = image_.index(row, 0);
-    const auto visit = [&](const RowBits& bits, std::size_t step) {
-      pixels.clear(image_.width);
-      for (std::size_t word = 0; word < bits.size(); ++word) pixels.add(bits[word], word);
-      for (const int column : pixels) meet(start + static_cast<std::size_t>(column), step);
-    };
-    visit(borders_.left, 1);
-    visit(borders_.above, static_cast<std::size_t>(image_.width));
-  }
-
   void meet(std::size_t pixel, std::size_t step) {
     const std::size_t before = pixel - step;
-    length_[static_cast<std::size_t>(labels_[pixel])] += image_.w[before] > 0.0f ? 1.0 : kHoleEdge;
-    length_[static_cast<std::size_t>(labels_[before])] += image_.w[pixel] > 0.0f ? 1.0 : kHoleEdge;
+    lengthOf(labels_[pixel]) += image_.w[before] > 0.0f ? 1.0 : kHoleEdge;
+    lengthOf(labels_[before]) += image_.w[pixel] > 0.0f ? 1.0 : kHoleEdge;
   }
+  double& lengthOf(std::int32_t label) { return memory_.border[static_cast<std::size_t>(label)]; }
 
   const InverseDepthImage& image_;
   const std::int32_t* labels_;
-  std::vector<double>& length_;
-  RowBorders& borders_;
+  ThicknessMemory::Sweep& memory_;
 };
+
+/// Those of all rows, per label. Sums of quarters are exact: who adds them up is of no importance.
+const std::vector<double>& borderLengths(const InverseDepthImage& image, const RegionMap& map, ThicknessMemory& memory,
+                                         int threads) {
+  memory.sweeps.resize(static_cast<std::size_t>(std::max(1, threads)));
+  for (ThicknessMemory::Sweep& sweep : memory.sweeps) {
+    sweep.border.assign(map.regions.size() + 1, 0.0);
+    sweep.borders.resize(image.width);
+  }
+  sharedFor(image.height, threads, [&](int thread, int begin, int end) {
+    BorderLengths lengths(image, map, memory.sweeps[static_cast<std::size_t>(thread)]);
+    for (int row = begin; row < end; ++row) lengths.addRow(row);
+  });
+  std::vector<double>& all = memory.sweeps.front().border;
+  for (std::size_t thread = 1; thread < memory.sweeps.size(); ++thread)
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] += memory.sweeps[thread].border[k];
+  return all;
+}
 
 }  // namespace
 
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                int stride, RegionMap& map, ThicknessMemory& memory) {
+                int stride, RegionMap& map, ThicknessMemory& memory, int threads) {
   const double min_thickness = parameters.expert.evidence.min_thickness;
-  const BorderLengths lengths(image, map, memory);
+  const std::vector<double>& border = borderLengths(image, map, memory, threads);
   // A finer image of the same scene has as many pixels more in its thickness.
   const double unit = stride * std::max(image.width, image.height) / kColumnsOfUnit;
   const double pixels_per_sample = std::min(sensor.pixelsPerSample(), kMaxPixelsPerSample / (stride * stride));
-  const auto isThick = [&](const PlaneMoments& region, double border) {
+  const auto isThick = [&](const PlaneMoments& region, double length) {
     const RegionPlane plane(region);
     const double chi2 = std::max(kMinChi2, plane.rss / (region.n * plane.slope_factor));
     const double samples = region.n / pixels_per_sample;
     return stride * region.n >=
-           unit * border * min_thickness * std::pow(chi2, kPower) * std::pow(samples / kSamplesOfUnit, -kPower);
+           unit * length * min_thickness * std::pow(chi2, kPower) * std::pow(samples / kSamplesOfUnit, -kPower);
   };
   memory.kept.clear();
   for (std::size_t k = 0; k < map.regions.size(); ++k) {
     const PlaneMoments& region = map.regions[k];
-    if (region.n > 0.0 && isThick(region, memory.border[k + 1])) memory.kept.push_back({region, k});
+    if (region.n > 0.0 && isThick(region, border[k + 1])) memory.kept.push_back({region, k});
   }
   std::sort(memory.kept.begin(), memory.kept.end(), [](const auto& a, const auto& b) {
     return a.region.n != b.region.n ? a.region.n > b.region.n : a.index < b.index;
@@ -82,7 +98,7 @@ void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& pa
     map.regions.push_back(kept.region);
     memory.new_label[kept.index + 1] = static_cast<std::int32_t>(map.regions.size());
   }
-  map.relabel(memory.new_label);
+  map.relabel(memory.new_label, threads);
 }
 
 }  // namespace epcc

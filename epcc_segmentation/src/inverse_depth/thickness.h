@@ -11,9 +11,13 @@ namespace epcc {
 
 /// Kept from frame to frame.
 struct ThicknessMemory {
-  RowBorders borders;
-  PixelList pixels;
-  std::vector<double> border;
+  /// A thread's.
+  struct Sweep {
+    RowBorders borders;
+    PixelList pixels;
+    std::vector<double> border;  ///< per label
+  };
+  std::vector<Sweep> sweeps;
   std::vector<std::int32_t> new_label;
   struct Kept {
     PlaneMoments region;
@@ -29,6 +33,6 @@ struct ThicknessMemory {
 /// `sensor` in pixels of it. What is left is numbered anew, the largest
 /// first: the planes of the result are, too, and few pixels have to change their number once more.
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                int stride, RegionMap& map, ThicknessMemory& memory);
+                int stride, RegionMap& map, ThicknessMemory& memory, int threads = 1);
 
 }  // namespace epcc

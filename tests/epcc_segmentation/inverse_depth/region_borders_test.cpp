@@ -163,7 +163,7 @@ void addContactsOfLine(const InverseDepthImage& image, const std::vector<std::in
 }
 
 TEST(RegionContacts, AreThoseOfAWalkAlongEveryLine) {
-  epcc::ContactSearchMemory memory;  // kept from one size to the next
+  std::vector<epcc::ContactSearchMemory> memory;  // kept from one size to the next
   epcc::RegionContacts contacts;
   onEachUnit([&] {
     for (const int labels : {5, 3000})

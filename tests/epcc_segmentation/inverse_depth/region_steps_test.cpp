@@ -35,7 +35,7 @@ std::vector<std::int32_t> strips(const epcc::PinholeCamera& camera, int strip) {
 }
 
 void merge(const InverseDepthImage& image, const SensorModel& sensor, RegionMap& map) {
-  epcc::ContactSearchMemory memory;
+  std::vector<epcc::ContactSearchMemory> memory;
   epcc::RegionContacts contacts;
   epcc::findContacts(image, 25, 3.0, map, memory, contacts);
   epcc::RegionMerger().merge(contacts, epcc::InverseDepthParameters(), sensor, map);
