@@ -24,8 +24,8 @@ void parallelFor(int count, int threads, const Work& work) {
   onWorkers(parts, std::ref(take));  // a function object of its own would be allocated
 }
 
-/// The same for work whose parts take unlike times: calls work(thread, begin, end) for several parts per thread, and who
-/// has done one takes the next. `thread` says whose memory a call may use; no call may depend on those before it.
+/// The same for work whose parts take unlike times: calls work(thread, begin, end) for several parts per thread, and
+/// who has done one takes the next. `thread` says whose memory a call may use; no call may depend on those before it.
 template <typename Work>
 void sharedFor(int count, int threads, const Work& work) {
   constexpr int kPartsPerThread = 8;

@@ -145,6 +145,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   times_.regions = watch.lap();
   pipeline.labelPixels();
   moveLabels(frame, pipeline.labels(), result.labels);
+  workspace_->fitter.lendCounts(pipeline.pixelCounts());
   times_.result = watch.lap();
   return pipeline.labelCount();
 }

@@ -20,22 +20,29 @@ struct PixelRays {
   const float *across, *along, *forward;
 };
 
-/// A row of pixels, with the labels of the samples whose blocks it crosses and the planes of all labels.
+/// Blocks of one label side by side: their first pixels and the last one's end, and their labels.
+struct BlockRuns {
+  int count;
+  const int* begins;  ///< count + 1
+  const std::int32_t* labels;
+};
+
+/// A row of pixels, with the runs of the blocks that it crosses and the planes of all labels.
 struct PixelRow {
   const float* w;
   const float *across, *forward;  ///< rays, per column
   float along;
-  float scale;  ///< measured inverse depth = w * scale
+  float scale;       ///< measured inverse depth = w * scale
+  bool perspective;  ///< forward and scale are 1
   int width;
-  const std::int32_t* sample_labels;
-  int samples;
-  int stride;
+  BlockRuns runs;
   const PixelPlane* planes;  ///< per label
   const InverseDepthNoise* noise;
   float max_residual2;  ///< in sigma^2
 };
 
-/// label = that of the sample if (w - q . ray)^2 <= max_residual^2 slope sigma_w^2, else 0.
-void labelMembers(const PixelRow& row, std::int32_t* labels);
+/// label = that of the sample if (w - q . ray)^2 <= max_residual^2 slope sigma_w^2, else 0. Adds the pixels to those of
+/// each label but 0.
+void labelMembers(const PixelRow& row, std::int32_t* labels, long* pixels);
 
 }  // namespace epcc

@@ -40,7 +40,8 @@ HWY_INLINE PlaneVectors PlanesAt(const PixelPlane* planes, IntegerVector labels,
   return {hn::Add(sum, hn::Mul(hn::GatherIndex(d, numbers + 2, at), forward)), hn::GatherIndex(d, numbers + 4, at)};
 }
 
-void DecideBorderPixels(const BorderPixels* pixels, const BorderQuestions::Arrays* asked, std::int32_t* labels) {
+void DecideBorderPixels(const BorderPixels* pixels, const BorderQuestions::Arrays* asked, std::int32_t* labels,
+                        long* counts) {
   const Floats d;
   const Integers di;
   const BorderPixels& image = *pixels;
@@ -80,7 +81,11 @@ void DecideBorderPixels(const BorderPixels* pixels, const BorderQuestions::Array
     alignas(64) std::int32_t label[kLanes], place[kLanes];
     hn::Store(hn::IfThenElse(hn::RebindMask(di, change), other, current), di, label);
     hn::Store(pixel, di, place);
-    for (std::size_t k = 0; k < kLanes; ++k) labels[place[k]] = label[k];
+    for (std::size_t k = 0; k < kLanes && i + k < asked->asked; ++k) {
+      --counts[labels[place[k]]];
+      ++counts[label[k]];
+      labels[place[k]] = label[k];
+    }
   }
 }
 
@@ -106,12 +111,12 @@ BorderQuestions::Arrays BorderQuestions::filledUp() {
       (*numbers)[i] = (*numbers)[count_ - 1];
     sides_[i] = sides_[count_ - 1];
   }
-  return {whole, rows_.data(), columns_.data(), owns_.data(), others_.data(), sides_.data()};
+  return {whole, count_, rows_.data(), columns_.data(), owns_.data(), others_.data(), sides_.data()};
 }
 
-void decideBorderPixels(const BorderPixels& image, BorderQuestions& questions, std::int32_t* labels) {
+void decideBorderPixels(const BorderPixels& image, BorderQuestions& questions, std::int32_t* labels, long* pixels) {
   const BorderQuestions::Arrays arrays = questions.filledUp();
-  EPCC_KERNEL(DecideBorderPixels)(&image, &arrays, labels);
+  EPCC_KERNEL(DecideBorderPixels)(&image, &arrays, labels, pixels);
   questions.clear();
 }
 

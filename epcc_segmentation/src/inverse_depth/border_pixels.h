@@ -37,7 +37,7 @@ class BorderQuestions {
   }
   /// As the kernel sees them: the last one repeated up to a whole number of vectors.
   struct Arrays {
-    std::size_t count;
+    std::size_t count, asked;  ///< with those that were repeated, and without
     const std::int32_t *rows, *columns, *owns, *others;
     const float* sides;
   };
@@ -66,10 +66,10 @@ struct BorderPixels {
   float max_residual, flip_gain, crease_range, crease_slack;  ///< InverseDepthParameters::Refinement
 };
 
-/// Changes the labels of the pixels that would, and forgets the questions. With e the residual in sigma across the
-/// surface, the other plane is taken if e_other < e_own - flip_gain, by a pixel without a label if e_other <
-/// max_residual; at a crease, where planes and pixel are within crease_range of each other, if the pixel lies on the
-/// other side of it and e_other < e_own + crease_slack.
-void decideBorderPixels(const BorderPixels& image, BorderQuestions& questions, std::int32_t* labels);
+/// Changes the labels of the pixels that would, and how many pixels each label has, and forgets the questions. With e
+/// the residual in sigma across the surface, the other plane is taken if e_other < e_own - flip_gain, by a pixel
+/// without a label if e_other < max_residual; at a crease, where planes and pixel are within crease_range of each
+/// other, if the pixel lies on the other side of it and e_other < e_own + crease_slack.
+void decideBorderPixels(const BorderPixels& image, BorderQuestions& questions, std::int32_t* labels, long* pixels);
 
 }  // namespace epcc

@@ -33,11 +33,23 @@ class BorderEdges {
         rays_(rays),
         memory_(memory) {}
 
-  /// Edges between neighbours of one row of samples: of the blocks' pixels those of the half at the edge.
-  void askBeside(int row) {
+  /// Finds the edges between neighbours of one row of samples, and the runs of blocks between them.
+  BlockRuns findBeside(int row) {
     memory_.borders.assign(wordsOf(columns_), 0);
     markLeftBorders(samples_, columns_, rows_, row, memory_.borders);
+    memory_.run_begins.assign(1, 0);
+    memory_.run_labels.assign(1, sampleAt({row, 0}));
     for (const int column : listed()) {
+      memory_.run_begins.push_back(column * stride_);
+      memory_.run_labels.push_back(sampleAt({row, column}));
+    }
+    memory_.run_begins.push_back(image_.width);
+    return {static_cast<int>(memory_.run_labels.size()), memory_.run_begins.data(), memory_.run_labels.data()};
+  }
+
+  /// Those that were found: of the blocks' pixels those of the half at the edge.
+  void askBeside(int row) {
+    for (const int column : memory_.places) {
       const Edge edge = edgeBetween({row, column - 1}, {row, column}, {0, 1});
       const int middle = column * stride_;
       ask(edge.first, row * stride_, rowEnd(row), middle - stride_ / 2, middle);
@@ -148,36 +160,43 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
                             static_cast<float>(rule.flip_gain),
                             static_cast<float>(rule.crease_range),
                             static_cast<float>(rule.crease_slack)};
-  const int sample_columns = sampleCount(image.width, stride);
   const int sample_rows = sampleCount(image.height, stride);
   const int probe = std::max(1, (rule.crease_vote_pixels + stride / 2) / stride);
   border_memory_.resize(static_cast<std::size_t>(std::max(1, threads)));
-  // Each pixel faces one block beside it and one above or below it, and is asked once about each.
+  for (BorderMemory& memory : border_memory_) memory.pixels.assign(planes_.size(), 0);
+  begins_part_.assign(static_cast<std::size_t>(sample_rows), 0);
+  // Each pixel faces one block beside it and one above or below it, and is asked once about each, in this order.
+  const auto decide = [&](BorderMemory& memory, bool last) {
+    if (last || memory.questions.count() >= kEnoughQuestions)
+      decideBorderPixels(pixels, memory.questions, labels.data(), memory.pixels.data());
+  };
   sharedFor(sample_rows, threads, [&](int thread, int begin, int end) {
     BorderMemory& memory = border_memory_[static_cast<std::size_t>(thread)];
     BorderEdges edges(image, map, stride, probe, planes_.data(), rays, memory);
+    begins_part_[static_cast<std::size_t>(begin)] = 1;
     for (int sample_row = begin; sample_row < end; ++sample_row) {
       const int row_end = sample_row + 1 < sample_rows ? (sample_row + 1) * stride : image.height;
+      const BlockRuns runs = edges.findBeside(sample_row);
       for (int row = sample_row * stride; row < row_end; ++row)
         labelMembers({image.w.data() + image.index(row, 0), rays.across, rays.forward, rays.along[row],
-                      scale_[static_cast<std::size_t>(row)], image.width,
-                      map.labels.data() + static_cast<std::ptrdiff_t>(sample_row) * sample_columns, sample_columns,
-                      stride, planes_.data(), &noise, pixels.max_residual * pixels.max_residual},
-                     labels.data() + image.index(row, 0));
+                      scale_[static_cast<std::size_t>(row)], image.planar_rows, image.width, runs, planes_.data(),
+                      &noise, pixels.max_residual * pixels.max_residual},
+                     labels.data() + image.index(row, 0), memory.pixels.data());
       edges.askBeside(sample_row);
-      if (memory.questions.count() >= kEnoughQuestions || sample_row + 1 == end)
-        decideBorderPixels(pixels, memory.questions, labels.data());
+      decide(memory, sample_row + 1 == end);
     }
-  });
-  sharedFor(sample_rows - 1, threads, [&](int thread, int begin, int end) {
-    BorderMemory& memory = border_memory_[static_cast<std::size_t>(thread)];
-    BorderEdges edges(image, map, stride, probe, planes_.data(), rays, memory);
-    for (int sample_row = begin + 1; sample_row < end + 1; ++sample_row) {
+    for (int sample_row = begin + 1; sample_row < end; ++sample_row) {
       edges.askAbove(sample_row);
-      if (memory.questions.count() >= kEnoughQuestions || sample_row == end)
-        decideBorderPixels(pixels, memory.questions, labels.data());
+      decide(memory, sample_row + 1 == end);
     }
   });
+  BorderMemory& memory = border_memory_.front();
+  BorderEdges edges(image, map, stride, probe, planes_.data(), rays, memory);
+  for (int sample_row = 1; sample_row < sample_rows; ++sample_row)
+    if (begins_part_[static_cast<std::size_t>(sample_row)] != 0) edges.askAbove(sample_row);
+  decide(memory, true);
+  for (std::size_t thread = 1; thread < border_memory_.size(); ++thread)
+    for (std::size_t k = 0; k < planes_.size(); ++k) memory.pixels[k] += border_memory_[thread].pixels[k];
 }
 
 }  // namespace epcc

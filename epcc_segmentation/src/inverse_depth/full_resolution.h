@@ -18,7 +18,10 @@ namespace epcc {
 struct BorderMemory {
   RowBits borders;
   PixelList places;
+  std::vector<int> run_begins;  ///< of the blocks of a row of samples
+  std::vector<std::int32_t> run_labels;
   BorderQuestions questions;
+  std::vector<long> pixels;  ///< that have got each label from this thread, less those that have lost it
 };
 
 /// A sample stands for the block of pixels around it: stride x stride, more at the right and lower edge. Its pixels
@@ -31,12 +34,16 @@ class FullResolution {
   void label(const InverseDepthImage& image, const InverseDepthNoise& noise, const RegionMap& map, int stride,
              const InverseDepthParameters::Refinement& rule, int threads, std::vector<std::int32_t>& labels);
 
+  /// How many pixels have each label; meaningless for 0.
+  const std::vector<long>& pixelCounts() const { return border_memory_.front().pixels; }
+
  private:
   void takePlanes(const std::vector<PlaneMoments>& regions);
 
   std::vector<float> across_, along_, forward_, scale_;
   std::vector<PixelPlane> planes_;           // per label
   std::vector<BorderMemory> border_memory_;  // per thread
+  std::vector<std::uint8_t> begins_part_;    // per row of samples: another thread may have had the row above
 };
 
 }  // namespace epcc

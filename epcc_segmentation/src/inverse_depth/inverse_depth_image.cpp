@@ -160,8 +160,7 @@ void InverseDepthImage::sample(const InverseDepthImage& image, int stride, int t
   const std::size_t first = samplePlace(0, stride, static_cast<std::size_t>(image.width));
   sharedFor(height, threads, [&](int /*thread*/, int begin, int end) {
     for (int r = begin; r < end; ++r) {
-      const std::size_t from =
-          samplePlace(static_cast<std::size_t>(r), stride, static_cast<std::size_t>(image.height));
+      const std::size_t from = samplePlace(static_cast<std::size_t>(r), stride, static_cast<std::size_t>(image.height));
       thinOut(image.w.data() + image.index(static_cast<int>(from), 0) + first, width, stride, w.data() + index(r, 0));
     }
   });

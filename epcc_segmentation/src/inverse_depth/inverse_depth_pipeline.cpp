@@ -93,7 +93,8 @@ void InverseDepthPipeline::rejectClutter() {
 
 void InverseDepthPipeline::joinOccluded() {
   findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
-                       grid_parameters_.expert.refinement.max_residual, map_, occlusion_, contacts_, parameters_.threads);
+                       grid_parameters_.expert.refinement.max_residual, map_, occlusion_, contacts_,
+                       parameters_.threads);
   merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_, parameters_.threads);
 }
 

@@ -48,6 +48,8 @@ class InverseDepthPipeline {
   std::vector<std::int32_t>& labels() { return stride_ > 1 ? pixel_labels_ : map_.labels; }
   /// The pixels that tell where the planes lie: the samples, if the error of the others is no other.
   FitSamples fitSamples() const;
+  /// How many pixels have the labels 1 .. labelCount(); null if they were not counted.
+  const long* pixelCounts() const { return stride_ > 1 ? full_resolution_.pixelCounts().data() + 1 : nullptr; }
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
   /// The line segments of S1, columns first. `frame` is the one that was read, `labels` the final ones, in the order of
   /// the caller's arrays.

@@ -155,9 +155,9 @@ class OcclusionWalk {
   const OcclusionMemory& memory_;
   OcclusionMemory::Band& band_;
   std::vector<OcclusionMemory::Place>* places_ = nullptr;  // of the lines that are walked
-  Pixel line_start_{0, 0}, line_step_{0, 1};  // the line that is walked
-  std::ptrdiff_t first_ = 0, stride_ = 1;     // the same, of the pixels
-  const int* begins_ = nullptr;               // of its runs, and the line's end
+  Pixel line_start_{0, 0}, line_step_{0, 1};               // the line that is walked
+  std::ptrdiff_t first_ = 0, stride_ = 1;                  // the same, of the pixels
+  const int* begins_ = nullptr;                            // of its runs, and the line's end
   int runs_ = 0;
 };
 

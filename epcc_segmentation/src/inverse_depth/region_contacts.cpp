@@ -39,8 +39,8 @@ const Contact* RegionContacts::find(const RegionPair& pair) const {
 
 namespace {
 
-// However many threads there are, contacts are summed in as many bands of rows: one order of all sums. They are few, for
-// what they find has to be brought together.
+// However many threads there are, contacts are summed in as many bands of rows: one order of all sums. They are few,
+// for what they find has to be brought together.
 constexpr int kBands = 2;
 
 /// Finds where labels follow each other on a row or column. Inside a region nothing needs to be looked at: each row

@@ -92,9 +92,9 @@ struct OcclusionMemory {
   struct Band {
     RowBits left, above;
     PixelList columns;
-    std::vector<int> begins;               ///< of the runs on a line
-    std::vector<std::int32_t> labels;      ///< of the runs on a line
-    std::vector<Begin> begins_on_columns;  ///< in the order of rows
+    std::vector<int> begins;                 ///< of the runs on a line
+    std::vector<std::int32_t> labels;        ///< of the runs on a line
+    std::vector<Begin> begins_on_columns;    ///< in the order of rows
     std::vector<Place> on_rows, on_columns;  ///< where regions face each other
   };
   std::vector<Plane> planes;  ///< per label

@@ -26,15 +26,16 @@ class BorderLengths {
       : image_(image), labels_(map.labels.data()), memory_(memory) {}
 
   void addRow(int row) {
-    memory_.borders.mark(labels_, image_.width, image_.height, row);
+    markLeftBorders(labels_, image_.width, image_.height, row, memory_.left);
+    markUpperBorders(labels_, image_.width, row, memory_.above);
     const std::size_t start = image_.index(row, 0);
     const auto visit = [&](const RowBits& bits, std::size_t step) {
       memory_.pixels.clear(image_.width);
       for (std::size_t word = 0; word < bits.size(); ++word) memory_.pixels.add(bits[word], word);
       for (const int column : memory_.pixels) meet(start + static_cast<std::size_t>(column), step);
     };
-    visit(memory_.borders.left, 1);
-    visit(memory_.borders.above, static_cast<std::size_t>(image_.width));
+    visit(memory_.left, 1);
+    visit(memory_.above, static_cast<std::size_t>(image_.width));
   }
 
  private:
@@ -56,7 +57,7 @@ const std::vector<double>& borderLengths(const InverseDepthImage& image, const R
   memory.sweeps.resize(static_cast<std::size_t>(std::max(1, threads)));
   for (ThicknessMemory::Sweep& sweep : memory.sweeps) {
     sweep.border.assign(map.regions.size() + 1, 0.0);
-    sweep.borders.resize(image.width);
+    for (RowBits* bits : {&sweep.left, &sweep.above}) bits->assign(wordsOf(image.width), 0);
   }
   sharedFor(image.height, threads, [&](int thread, int begin, int end) {
     BorderLengths lengths(image, map, memory.sweeps[static_cast<std::size_t>(thread)]);

@@ -13,7 +13,7 @@ namespace epcc {
 struct ThicknessMemory {
   /// A thread's.
   struct Sweep {
-    RowBorders borders;
+    RowBits left, above;
     PixelList pixels;
     std::vector<double> border;  ///< per label
   };
