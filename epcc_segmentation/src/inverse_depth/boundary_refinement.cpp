@@ -14,8 +14,9 @@ namespace epcc {
 
 namespace {
 
-constexpr std::size_t kPart = 256;  // pixels of the frontier: what is noted of them stays in the cache
-constexpr std::size_t kPartsWorthThreads = 4;
+constexpr int kBands = 16;                  // of rows, for the threads
+constexpr std::size_t kPart = 256;          // pixels of a frontier: what is noted of them stays in the cache
+constexpr std::size_t kWorthThreads = 100;  // changes before a pass: then it takes longer than to share it out
 
 class Refiner {
  public:
@@ -27,11 +28,14 @@ class Refiner {
         labels_(map.labels.data()),
         words_(wordsOf(image.width)),
         memory_(memory),
-        frontier_(memory.frontier),
         moves_(map.moves) {
     moves_.begin(map.regions.size());
     memory_.parts.resize(static_cast<std::size_t>(std::max(1, threads)));
+    memory_.bands.resize(kBands);
     for (Part& part : memory_.parts) {
+      part.borders.resize(image.width);
+      part.upper_labelled.assign(words_, 0);
+      part.creases.clear();
       part.choices.resize(kPart);
       part.candidates.resize(4 * kPart + 1);
       part.at_crease.resize(4 * kPart + 1);
@@ -47,12 +51,15 @@ class Refiner {
 
   void run() {
     sweepBorders();
-    memory_.creases.count(parameters_);
-    for (int pass = 0; pass < parameters_.passes; ++pass) {
-      listFrontier();
-      if (memory_.frontier_count == 0) break;
+    memory_.parts.front().creases.count(parameters_);
+    std::size_t changes = kWorthThreads;
+    for (int pass = 0; pass < parameters_.passes && changes > 0; ++pass) {
       use_creases_ = pass < parameters_.crease_passes;
-      refineFrontier();
+      forBands(changes >= kWorthThreads ? threads_ : 1, [&](Band& band, int begin, int end, Part& part) {
+        listFrontier(begin, end, part.list, band);
+        refineFrontier(band, part);
+      });
+      changes = applyChanges();
     }
   }
 
@@ -60,6 +67,7 @@ class Refiner {
   using Pixel = RefinementMemory::Pixel;
   using Choice = RefinementMemory::Choice;
   using Candidate = RefinementMemory::Candidate;
+  using Band = RefinementMemory::Band;
   using Part = RefinementMemory::Part;
 
   const RefinedPlane& planeOf(std::int32_t label) const { return memory_.planes[static_cast<std::size_t>(label)]; }
@@ -70,109 +78,125 @@ class Refiner {
            plane.z * image_.forward[static_cast<std::size_t>(column)];
   }
 
+  /// Calls work(band, first row, end row, the thread's memory).
+  template <typename Work>
+  void forBands(int threads, const Work& work) {
+    sharedFor(kBands, threads, [&](int thread, int first, int end) {
+      for (int k = first; k < end; ++k)
+        work(memory_.bands[static_cast<std::size_t>(k)], image_.height * k / kBands, image_.height * (k + 1) / kBands,
+             memory_.parts[static_cast<std::size_t>(thread)]);
+    });
+  }
+
   // ---- borders ----
   // One sweep over the image: where two labels meet, the pixels that see another label join the frontier and the crease
-  // is voted.
+  // is voted. Votes are counted: whose they are is of no importance.
   void sweepBorders() {
-    memory_.creases.clear();
-    memory_.borders.resize(image_.width);
-    memory_.upper_labelled.assign(words_, 0);
-    memory_.next.assign(words_ * static_cast<std::size_t>(image_.height), 0);
+    memory_.next.resize(words_ * static_cast<std::size_t>(image_.height));
     memory_.has_next.assign(static_cast<std::size_t>(image_.height), 1);
-    for (int row = 0; row < image_.height; ++row) {
-      memory_.borders.mark(labels_, image_.width, image_.height, row);
-      markFrontier(row);
-      voteCreases(row);
-      std::swap(memory_.borders.labelled, memory_.upper_labelled);
-    }
+    forBands(threads_, [this](Band&, int begin, int end, Part& part) { sweepBand(begin, end, part); });
+    CreaseVotes& all = memory_.parts.front().creases;
+    for (std::size_t thread = 1; thread < memory_.parts.size(); ++thread) all += memory_.parts[thread].creases;
   }
 
-  // Of a row by its neighbours to the left, to the right and above, and of the row above by this one.
-  void markFrontier(int row) {
-    const auto& [left, above, labelled] = memory_.borders;
-    std::uint64_t* here = memory_.next.data() + words_ * static_cast<std::size_t>(row);
-    for (std::size_t word = 0; word < words_; ++word) {
+  void sweepBand(int begin, int end, Part& part) {
+    if (begin > 0) markLabelled(labels_, image_.width, begin - 1, part.upper_labelled);
+    for (int row = begin; row < end; ++row) {
+      part.borders.mark(labels_, image_.width, image_.height, row);
+      markFrontier(row, part);
+      if (row > begin) markFrontierAbove(row, part);
+      voteCreases(row, part);
+      std::swap(part.borders.labelled, part.upper_labelled);
+    }
+    if (begin == end || end == image_.height) return;
+    part.borders.mark(labels_, image_.width, image_.height, end);
+    markFrontierAbove(end, part);
+  }
+
+  std::uint64_t* nextOf(int row) { return memory_.next.data() + words_ * static_cast<std::size_t>(row); }
+
+  // Of a row by its neighbours to the left, to the right and above.
+  void markFrontier(int row, const Part& part) {
+    const auto& [left, above, labelled] = part.borders;
+    std::uint64_t* here = nextOf(row);
+    for (std::size_t word = 0; word < words_; ++word)
       here[word] = (left[word] & fromLeft(labelled, word)) | (fromRight(left, word) & fromRight(labelled, word)) |
-                   (above[word] & memory_.upper_labelled[word]);
-      if (row > 0) (here - words_)[word] |= above[word] & labelled[word];
-    }
+                   (above[word] & part.upper_labelled[word]);
   }
 
-  void voteCreases(int row) {
-    const auto& [left, above, labelled] = memory_.borders;
-    memory_.list.clear(image_.width);
-    for (std::size_t word = 0; word < left.size(); ++word)
-      memory_.list.add(left[word] & labelled[word] & fromLeft(labelled, word), word);
-    for (const int column : memory_.list) voteCrease(row, column - 1, row, column);
-    memory_.list.clear(image_.width);
-    for (std::size_t word = 0; word < left.size(); ++word)
-      memory_.list.add(above[word] & labelled[word] & memory_.upper_labelled[word], word);
-    for (const int column : memory_.list) voteCrease(row - 1, column, row, column);
+  // Of the row above by this one.
+  void markFrontierAbove(int row, const Part& part) {
+    std::uint64_t* upper = nextOf(row - 1);
+    for (std::size_t word = 0; word < words_; ++word)
+      upper[word] |= part.borders.above[word] & part.borders.labelled[word];
+  }
+
+  void voteCreases(int row, Part& part) const {
+    const auto& [left, above, labelled] = part.borders;
+    part.list.clear(image_.width);
+    for (std::size_t word = 0; word < words_; ++word)
+      part.list.add(left[word] & labelled[word] & fromLeft(labelled, word), word);
+    for (const int column : part.list) voteCrease(row, column - 1, row, column, part.creases);
+    part.list.clear(image_.width);
+    for (std::size_t word = 0; word < words_; ++word)
+      part.list.add(above[word] & labelled[word] & part.upper_labelled[word], word);
+    for (const int column : part.list) voteCrease(row - 1, column, row, column, part.creases);
   }
 
   /// Votes on both sides of the border between two pixels, the second one step down or to the right.
-  void voteCrease(int row, int column, int other_row, int other_column) {
+  void voteCrease(int row, int column, int other_row, int other_column, CreaseVotes& votes) const {
     const int down = parameters_.crease_vote_pixels * (other_row - row);
     const int right = parameters_.crease_vote_pixels * (other_column - column);
     const std::int32_t label = labels_[image_.index(row, column)];
     const std::int32_t other = labels_[image_.index(other_row, other_column)];
-    vote(label, other, row - down, column - right);
-    vote(other, label, other_row + down, other_column + right);
+    vote(label, other, row - down, column - right, votes);
+    vote(other, label, other_row + down, other_column + right, votes);
   }
 
-  void vote(std::int32_t own, std::int32_t other, int row, int column) {
+  void vote(std::int32_t own, std::int32_t other, int row, int column, CreaseVotes& votes) const {
     if (row < 0 || row >= image_.height || column < 0 || column >= image_.width) return;
     if (labels_[image_.index(row, column)] != own) return;
-    memory_.creases.add(own, other, planeAt(own, row, column) < planeAt(other, row, column));
+    votes.add(own, other, planeAt(own, row, column) < planeAt(other, row, column));
   }
 
   // ---- frontier ----
   // All decisions of a pass are made from the labels before it: their order is of no importance. Which way a pixel
   // decides is hard to predict, so that each question is put to all of them before the next one.
-  void refineFrontier() {
-    const std::size_t parts = (memory_.frontier_count + kPart - 1) / kPart;
-    memory_.changes.resize(std::max(memory_.changes.size(), memory_.frontier_count));
-    memory_.change_counts.assign(parts, 0);
-    const int threads = parts < kPartsWorthThreads ? 1 : threads_;
-    sharedFor(static_cast<int>(parts), threads, [&](int thread, int begin, int end) {
-      Part& memory = memory_.parts[static_cast<std::size_t>(thread)];
-      for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part)
-        memory_.change_counts[part] = refinePart(kPart * part, memory);
-    });
-    for (std::size_t part = 0; part < parts; ++part)
-      applyChanges(memory_.changes.data() + kPart * part, memory_.change_counts[part]);
-  }
-
-  /// Returns how many pixels change.
-  std::size_t refinePart(std::size_t begin, Part& part) {
-    const Pixel* pixels = frontier_.data() + begin;
-    listCandidates(pixels, std::min(kPart, memory_.frontier_count - begin), part);
-    measureCandidates(pixels, part);
-    askCreases(part);
-    return choose(pixels, part, memory_.changes.data() + begin);
+  void refineFrontier(Band& band, Part& part) const {
+    band.changes.resize(std::max(band.changes.size(), band.frontier_count));
+    band.change_count = 0;
+    for (std::size_t begin = 0; begin < band.frontier_count; begin += kPart) {
+      const Pixel* pixels = band.frontier.data() + begin;
+      listCandidates(pixels, std::min(kPart, band.frontier_count - begin), part);
+      measureCandidates(pixels, part);
+      askCreases(part);
+      band.change_count += choose(pixels, part, band.changes.data() + band.change_count);
+    }
   }
 
   /// From bits to pixels with a depth, row by row.
-  void listFrontier() {
+  void listFrontier(int begin, int end, PixelList& list, Band& band) {
     std::size_t count = 0;
-    for (int row = 0; row < image_.height; ++row) {
-      if (memory_.has_next[static_cast<std::size_t>(row)] == 0) continue;
-      memory_.has_next[static_cast<std::size_t>(row)] = 0;
-      std::uint64_t* bits = memory_.next.data() + words_ * static_cast<std::size_t>(row);
-      memory_.list.clear(image_.width);
+    for (int row = begin; row < end; ++row) {
+      std::uint8_t& has_next = memory_.has_next[static_cast<std::size_t>(row)];
+      if (has_next == 0) continue;
+      has_next = 0;
+      std::uint64_t* bits = nextOf(row);
+      list.clear(image_.width);
       for (std::size_t word = 0; word < words_; ++word) {
-        memory_.list.add(bits[word], word);
+        list.add(bits[word], word);
         bits[word] = 0;
       }
-      frontier_.resize(std::max(frontier_.size(), count + static_cast<std::size_t>(image_.width) + 1));
+      band.frontier.resize(std::max(band.frontier.size(), count + static_cast<std::size_t>(image_.width) + 1));
+      Pixel* frontier = band.frontier.data();
       const auto first = static_cast<std::int32_t>(image_.index(row, 0));
       const float* w = image_.w.data() + first;
-      for (const int column : memory_.list) {
-        frontier_[count] = {first + column, row, column};
+      for (const int column : list) {
+        frontier[count] = {first + column, row, column};
         count += w[column] > 0.0f ? 1 : 0;
       }
     }
-    memory_.frontier_count = count;
+    band.frontier_count = count;
   }
 
   // The labels of the four neighbours, but none twice running. Each is written down and the count decides whether it
@@ -244,7 +268,7 @@ class Refiner {
     for (std::size_t i = 0; i < part.at_crease_count; ++i) {
       Candidate& candidate = part.candidates[part.at_crease[i]];
       const Choice& choice = part.choices[static_cast<std::size_t>(candidate.choice)];
-      const Crease kind = memory_.creases.kindOf(choice.current, candidate.label);
+      const Crease kind = memory_.parts.front().creases.kindOf(choice.current, candidate.label);
       const bool current_is_surface =
           kind == Crease::Convex ? candidate.difference <= 0.0 : candidate.difference >= 0.0;
       const bool cheap = candidate.other_error < candidate.error + parameters_.crease_slack;
@@ -273,18 +297,25 @@ class Refiner {
     return static_cast<std::size_t>(changed - first);
   }
 
-  // The pixels that changed and those beside them are the next frontier.
-  void applyChanges(const RefinementMemory::Change* changes, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto [index, row, column] = changes[k].pixel;
-      moves_.move(image_, row, column, labels_[index], changes[k].label);
-      labels_[index] = changes[k].label;
-      lookAgainAt(row, column);
-      if (column > 0) lookAgainAt(row, column - 1);
-      if (column + 1 < image_.width) lookAgainAt(row, column + 1);
-      if (row > 0) lookAgainAt(row - 1, column);
-      if (row + 1 < image_.height) lookAgainAt(row + 1, column);
+  // The pixels that changed and those beside them are the next frontier. Returns how many changed.
+  std::size_t applyChanges() {
+    std::size_t count = 0;
+    for (const Band& band : memory_.bands) {
+      for (std::size_t k = 0; k < band.change_count; ++k) applyChange(band.changes[k]);
+      count += band.change_count;
     }
+    return count;
+  }
+
+  void applyChange(const RefinementMemory::Change& change) {
+    const auto [index, row, column] = change.pixel;
+    moves_.move(image_, row, column, labels_[index], change.label);
+    labels_[index] = change.label;
+    lookAgainAt(row, column);
+    if (column > 0) lookAgainAt(row, column - 1);
+    if (column + 1 < image_.width) lookAgainAt(row, column + 1);
+    if (row > 0) lookAgainAt(row - 1, column);
+    if (row + 1 < image_.height) lookAgainAt(row + 1, column);
   }
 
   void lookAgainAt(int row, int column) {
@@ -299,7 +330,6 @@ class Refiner {
   std::int32_t* labels_;
   std::size_t words_;  // of a row's bits
   RefinementMemory& memory_;
-  std::vector<Pixel>& frontier_;
   MomentMoves& moves_;
   bool use_creases_ = true;
 };

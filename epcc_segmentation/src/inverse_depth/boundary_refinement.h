@@ -43,20 +43,24 @@ struct RefinementMemory {
     double difference;          ///< of the planes
     Verdict verdict;
   };
-  std::vector<RefinedPlane> planes;  ///< per label
-  RowBorders borders;                ///< of a row
-  RowBits upper_labelled;            ///< of the one above
-  CreaseVotes creases;
+  std::vector<RefinedPlane> planes;    ///< per label
   RowBits next;                        ///< row after row: pixels to look at in the next pass
   std::vector<std::uint8_t> has_next;  ///< per row: there are some
-  PixelList list;                      ///< some of a row
-  // Lists that are written without branches are longer than what they hold; the counts are below.
-  std::vector<Pixel> frontier;  ///< to look at in this pass
-  std::size_t frontier_count = 0;
-  std::vector<Change> changes;             ///< of a pass; those of a part begin where its pixels do in the frontier
-  std::vector<std::size_t> change_counts;  ///< of the parts
-  /// A thread's, of the part of the frontier that it looks at.
+  // Lists that are written without branches are longer than what they hold; counts tell how much that is.
+  /// A band of rows.
+  struct Band {
+    std::vector<Pixel> frontier;  ///< to look at in this pass
+    std::vector<Change> changes;  ///< of the pass
+    std::size_t frontier_count = 0, change_count = 0;
+  };
+  std::vector<Band> bands;
+  /// A thread's.
   struct Part {
+    RowBorders borders;      ///< of a row
+    RowBits upper_labelled;  ///< of the one above
+    PixelList list;          ///< some of a row
+    CreaseVotes creases;     ///< of the thread; the first one's are all in the end
+    // Of some pixels of a frontier.
     std::vector<Choice> choices;
     std::vector<std::int32_t> changed;  ///< choices other than before
     std::vector<Candidate> candidates;

@@ -25,6 +25,8 @@ class CreaseVotes {
     if (number == votes_.size()) votes_.emplace_back();
     (convex ? votes_[number].convex : votes_[number].concave)++;
   }
+  /// The votes of another count.
+  CreaseVotes& operator+=(const CreaseVotes& other);
   /// After the last vote.
   void count(const InverseDepthParameters::Refinement& parameters);
   Crease kindOf(std::int32_t a, std::int32_t b) const {
