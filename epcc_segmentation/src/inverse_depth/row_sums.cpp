@@ -16,13 +16,11 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int kStep = 4;
-using Labels = hn::CappedTag<std::int32_t, kStep>;
 using Doubles = hn::CappedTag<double, kStep>;
 using Floats = hn::Rebind<float, Doubles>;
 using Double = hn::Vec<Doubles>;
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(Doubles()));
 constexpr int kVectors = kStep / kLanes;
-static_assert(hn::MaxLanes(Labels()) == kStep, "vectors have 128 bits at least");
 
 /// Sums along a run.
 enum { kPlain, kOne, kA, kAA, kW, kAW, kWW, kPerspective, kF = kPerspective, kAF, kFW, kSpherical };
@@ -37,11 +35,18 @@ struct RunSums {
     for (auto& vectors : sum)
       for (Double& vector : vectors) vector = hn::Zero(Doubles());
   }
-  HWY_INLINE void add(const LabelledRow& row, int column) {
+  /// Of four pixels the first `count`.
+  template <bool all>
+  HWY_INLINE void add(const LabelledRow& row, int column, int count) {
     const Doubles d;
-    for (int k = 0; k < kVectors; ++k, column += kLanes) {
-      const Double t = hn::PromoteTo(d, hn::LoadU(Floats(), row.weight + column));
-      const Double w = hn::PromoteTo(d, hn::LoadU(Floats(), row.w + column));
+    for (int k = 0; k < kVectors; ++k, column += kLanes, count -= kLanes) {
+      Double t = hn::PromoteTo(d, hn::LoadU(Floats(), row.weight + column));
+      Double w = hn::PromoteTo(d, hn::LoadU(Floats(), row.w + column));
+      if (!all) {
+        const auto counts = hn::FirstN(d, static_cast<std::size_t>(count > 0 ? count : 0));
+        t = hn::IfThenElseZero(counts, t);
+        w = hn::IfThenElseZero(counts, w);
+      }
       const Double a = hn::LoadU(d, row.across + column);
       const Double ta = hn::Mul(t, a);
       const Double tw = hn::Mul(t, w);
@@ -108,9 +113,15 @@ HWY_INLINE void addRun(const double* run, double n, double v, RaySums& sums) {
   sums.ww += run[kWW];
 }
 
+/// How many of four labels are `label` before there is another.
+HWY_INLINE int alike(const std::int32_t* labels, std::int32_t label) {
+  const int a = labels[0] == label ? 1 : 0, b = labels[1] == label ? a : 0, c = labels[2] == label ? b : 0;
+  return a + b + c + (labels[3] == label ? c : 0);
+}
+
+// Where a run ends cannot be foreseen: its last pixels are taken together, none or three.
 template <bool spherical>
 HWY_INLINE void addRuns(const LabelledRow& row, RaySums* sums) {
-  const Labels d;
   int column = 0;
   while (column < row.width) {
     const std::int32_t label = row.label[column];
@@ -119,16 +130,19 @@ HWY_INLINE void addRuns(const LabelledRow& row, RaySums* sums) {
       continue;
     }
     const int first = column;
-    double run[RunSums<spherical>::kCount] = {};
-    const auto same = [&](int c) HWY_ATTR {
-      return c + kStep <= row.width && hn::AllTrue(d, hn::Eq(hn::LoadU(d, row.label + c), hn::Set(d, label)));
-    };
-    if (same(column)) {
-      RunSums<spherical> four;
-      for (; same(column); column += kStep) four.add(row, column);
-      four.total(run);
+    RunSums<spherical> lanes;
+    int last = kStep;
+    for (; column + kStep <= row.width && last == kStep; column += last) {
+      last = alike(row.label + column, label);
+      if (last == kStep)
+        lanes.template add<true>(row, column, kStep);
+      else
+        lanes.template add<false>(row, column, last);
     }
-    for (; column < row.width && row.label[column] == label; ++column) addPixel<spherical>(row, column, run);
+    double run[RunSums<spherical>::kCount];
+    lanes.total(run);
+    if (last == kStep)
+      for (; column < row.width && row.label[column] == label; ++column) addPixel<spherical>(row, column, run);
     addRun<spherical>(run, column - first, row.along, sums[label - 1]);
   }
 }
