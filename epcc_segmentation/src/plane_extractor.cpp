@@ -10,6 +10,7 @@
 #include "epcc_segmentation/sensor_estimation.h"
 #include "epcc_segmentation/vector_unit.h"
 #include "inverse_depth/inverse_depth_pipeline.h"
+#include "inverse_depth/sample_grid.h"
 #include "metric/metric_pipeline.h"
 #include "plane_fit_samples.h"
 
@@ -124,7 +125,8 @@ int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& re
 
 int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result) {
   StopWatch watch;
-  workspace_->image.read(frame, parameters_.threads);
+  const int stride = strideFor(std::max(frame.width(), frame.height()), parameters_.inverse_depth.stride);
+  workspace_->image.read(frame, parameters_.threads, stride);
   times_.read = watch.lap();
   if (measures_sensor_) sensor_ = workspace_->estimator.update(workspace_->image).model();
   times_.sensor = watch.lap();
@@ -145,6 +147,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   times_.regions = watch.lap();
   pipeline.labelPixels();
   moveLabels(frame, pipeline.labels(), result.labels);
+  if (!frame.isTransposed()) workspace_->fitter.lendSampleDepth(workspace_->image.sampleDepths());
   workspace_->fitter.lendCounts(pipeline.pixelCounts());
   times_.result = watch.lap();
   return pipeline.labelCount();

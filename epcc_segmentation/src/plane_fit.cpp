@@ -160,7 +160,10 @@ void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& varianc
       if (!readLabels(row.labels, image.width(), samples, band.labels)) continue;
       row.labels = band.labels.data();
     }
-    if (image.isPinhole()) {
+    if (!is_whole && sample_depth_ != nullptr) {
+      row.z = sample_depth_ + static_cast<std::size_t>(i) * row.count;
+      row.along = image.pinholeAlong(r);
+    } else if (image.isPinhole()) {
       const bool in_place = is_whole && (depth_ == nullptr || r + 1 < image.height());  // what is behind the last row?
       const float* depth = is_whole ? z : x;
       if (depth_ != nullptr)
@@ -232,12 +235,14 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
                       int threads, PlaneSegmentation& segmentation) {
   segmentation.planes.clear();
   const float* const lent_depth = std::exchange(depth_, nullptr);
+  const float* const lent_samples = std::exchange(sample_depth_, nullptr);
   const long* const counts = std::exchange(counts_, nullptr);
   const auto size = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
   if (plane_count < 0 || segmentation.labels.size() != size) return false;
   const DepthFrame image = frame.isTransposed() ? frame.transposed() : frame;
   const SensorVariance variance(sensor);
   depth_ = lent_depth;
+  sample_depth_ = lent_samples;
   const auto count = static_cast<std::size_t>(plane_count);
   plane_count_ = plane_count;
   pixels_.assign(count, 0);
@@ -265,6 +270,7 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
   listPlanes(sensor, samples, segmentation.planes);
   renumber(threads, segmentation.labels);
   depth_ = nullptr;
+  sample_depth_ = nullptr;
   return true;
 }
 

@@ -30,6 +30,9 @@ class PlaneFitter {
     depth_ = depth;
     depth_stride_ = stride;
   }
+  /// For the next fit with a stride, of a depth image: the depths of its samples, row after row, and kRunLanes values
+  /// more; null if they are not at hand.
+  void lendSampleDepth(const float* depth) { sample_depth_ = depth; }
   /// For the next fit with a stride: how many pixels have the labels 1 .. plane_count, and that there is no other but
   /// 0.
   void lendCounts(const long* pixels) { counts_ = pixels; }
@@ -60,6 +63,7 @@ class PlaneFitter {
 
   std::int32_t plane_count_ = 0;
   const float* depth_ = nullptr;
+  const float* sample_depth_ = nullptr;
   std::size_t depth_stride_ = 0;
   const long* counts_ = nullptr;
   std::vector<double> across_;  // u of the image's columns

@@ -37,7 +37,7 @@ void fillUnseen(const std::vector<double>& count, std::vector<double>& coordinat
 
 }  // namespace
 
-void InverseDepthImage::read(const DepthFrame& frame, int threads) {
+void InverseDepthImage::read(const DepthFrame& frame, int threads, int stride) {
   width = frame.width();
   height = frame.height();
   planar_rows = isPerspective(frame.projection());
@@ -46,21 +46,31 @@ void InverseDepthImage::read(const DepthFrame& frame, int threads) {
   forward.assign(static_cast<std::size_t>(width), planar_rows ? 1.0 : 0.0);
   along.assign(static_cast<std::size_t>(height), 0.0);
   measured_scale.assign(static_cast<std::size_t>(height), 1.0);
+  keeps_depths_ = stride > 1 && frame.isPinhole();
   if (frame.isPinhole())
-    readDepths(frame, threads);
+    readDepths(frame, threads, stride);
   else
     readPoints(frame);
 }
 
-void InverseDepthImage::readDepths(const DepthFrame& frame, int threads) {
+void InverseDepthImage::readDepths(const DepthFrame& frame, int threads, int stride) {
   const auto columns = static_cast<std::size_t>(width);
   row_depths_.resize(columns * static_cast<std::size_t>(std::max(1, threads)));
+  const int offset = stride / 2;
+  const auto samplesAlong = [=](int size) { return std::max(0, (size - offset + stride - 1) / stride); };
+  const int kept = samplesAlong(width);
+  if (keeps_depths_)
+    sample_depths_.resize(static_cast<std::size_t>(kept) * static_cast<std::size_t>(samplesAlong(height)) +
+                          kBehindDepths);
   sharedFor(height, threads, [&](int thread, int begin, int end) {
     float* depths = row_depths_.data() + static_cast<std::size_t>(thread) * columns;
     for (int r = begin; r < end; ++r) {
       along[static_cast<std::size_t>(r)] = frame.pinholeAlong(r);
       frame.depthRow(r, depths);
       invertDepths(depths, columns, w.data() + static_cast<std::size_t>(r) * columns);
+      if (keeps_depths_ && r % stride == offset)
+        thinOut(depths + offset, kept, stride,
+                sample_depths_.data() + static_cast<std::size_t>(r / stride) * static_cast<std::size_t>(kept));
     }
   });
   for (std::size_t c = 0; c < columns; ++c) across[c] = frame.pinholeAcross(static_cast<int>(c));

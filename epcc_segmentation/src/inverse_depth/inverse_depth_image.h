@@ -58,8 +58,12 @@ struct InverseDepthImage {
   /// mean of both directions.
   double placeVariance() const;
 
-  /// Reads a frame; memory is reused. Cloud rays are estimated per row and column from the points.
-  void read(const DepthFrame& frame, int threads = 1);
+  /// Reads a frame; memory is reused. Cloud rays are estimated per row and column from the points. Of a depth image
+  /// with a stride the depths of every stride-th row and column from stride / 2 on are kept.
+  void read(const DepthFrame& frame, int threads = 1, int stride = 1);
+  /// Those that were kept, row after row, and kBehindDepths values more; null if there are none.
+  const float* sampleDepths() const { return keeps_depths_ ? sample_depths_.data() : nullptr; }
+  static constexpr std::size_t kBehindDepths = 16;
   /// Takes every stride-th row and column of an image, from stride / 2 on; at least one of each.
   void sample(const InverseDepthImage& image, int stride, int threads = 1);
   /// What the sensor says of it: noise and weights. A value may come from anywhere within its pixel, the one that was
@@ -68,13 +72,15 @@ struct InverseDepthImage {
   void weigh(const SensorModel& sensor) { weigh(sensor, placeVariance()); }
 
  private:
-  void readDepths(const DepthFrame& frame, int threads);
+  void readDepths(const DepthFrame& frame, int threads, int stride);
   void readPoints(const DepthFrame& frame);
   void readScan(const DepthFrame& frame);
 
   PerspectivePoints points_;
   std::vector<double> column_count_, row_count_;  // valid points of a cloud
   std::vector<float> row_depths_;                 // a row for each thread
+  std::vector<float> sample_depths_;
+  bool keeps_depths_ = false;
 };
 
 /// How many of `count` values are samples: every stride-th from stride / 2 on; never none.
