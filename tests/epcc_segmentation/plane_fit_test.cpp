@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "inverse_depth/inverse_depth_image.h"
 #include "plane_fit_samples.h"
 #include "tests/support/rendered_room.h"
 #include "tests/support/vector_units.h"
@@ -366,6 +367,32 @@ TEST(PlaneFit, LentCountsAreThoseOfThePlanes) {
     EXPECT_EQ(lent.planes[k].coefficients, counted.planes[k].coefficients);
     EXPECT_EQ(again.planes[k].pixel_count, counted.planes[k].pixel_count);
   }
+}
+
+// So do the depths of the samples that the reading of the image keeps.
+TEST(PlaneFit, LentSampleDepthsAreThoseOfTheFrame) {
+  const SensorModel sensor = SensorModel::axial(0.002, 0.003, 2.0);
+  for (const int stride : {2, 3})
+    for (const int width : {160, 157}) {
+      const auto room = labelledRoom(width, 119);
+      PlaneSegmentation own, lent, again;
+      own.labels = lent.labels = again.labels = room.labels;
+      epcc::InverseDepthImage image;
+      image.read(room.frame(), 2, stride);
+      ASSERT_NE(image.sampleDepths(), nullptr);
+      epcc::PlaneFitter fitter;
+      ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {stride, stride / 2}, 1, own));
+      fitter.lendSampleDepth(image.sampleDepths());
+      ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {stride, stride / 2}, 1, lent));
+      image.read(room.frame());
+      EXPECT_EQ(image.sampleDepths(), nullptr);
+      ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {stride, stride / 2}, 1, again));
+      ASSERT_EQ(lent.planes.size(), 3u);
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(lent.planes[k].coefficients, own.planes[k].coefficients);
+        EXPECT_EQ(again.planes[k].coefficients, own.planes[k].coefficients);
+      }
+    }
 }
 
 TEST(PlaneFit, AFitterForgetsTheFrameBefore) {

@@ -21,6 +21,10 @@ class BorderQuestions {
     float side = 0.0f;
   };
 
+  /// For so many questions.
+  void makeRoomFor(std::size_t questions) {
+    if (questions + kMostLanes > rows_.size()) grow(questions + kMostLanes);
+  }
   std::size_t count() const { return count_; }
   void clear() { count_ = 0; }
   /// Asks the pixels of a rectangle.

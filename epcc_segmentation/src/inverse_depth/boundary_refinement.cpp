@@ -36,6 +36,7 @@ class Refiner {
       part.borders.resize(image.width);
       part.upper_labelled.assign(words_, 0);
       part.creases.clear();
+      part.list.clear(image.width);
       part.choices.resize(kPart);
       part.candidates.resize(4 * kPart + 1);
       part.at_crease.resize(4 * kPart + 1);
@@ -97,6 +98,7 @@ class Refiner {
     forBands(threads_, [this](Band&, int begin, int end, Part& part) { sweepBand(begin, end, part); });
     CreaseVotes& all = memory_.parts.front().creases;
     for (std::size_t thread = 1; thread < memory_.parts.size(); ++thread) all += memory_.parts[thread].creases;
+    for (Part& part : memory_.parts) part.creases.makeRoomAs(all);  // in the next frame any thread may see them
   }
 
   void sweepBand(int begin, int end, Part& part) {

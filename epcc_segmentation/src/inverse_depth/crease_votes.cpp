@@ -6,13 +6,13 @@ namespace epcc {
 
 CreaseVotes& CreaseVotes::operator+=(const CreaseVotes& other) {
   const std::vector<RegionPair>& pairs = other.table_.pairs();
-  votes_.resize(votes_.size() + pairs.size());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    Votes& votes = votes_[static_cast<std::size_t>(table_.add(pairs[k]))];
+    const auto number = static_cast<std::size_t>(table_.add(pairs[k]));
+    if (number == votes_.size()) votes_.emplace_back();
+    Votes& votes = votes_[number];
     votes.convex += other.votes_[k].convex;
     votes.concave += other.votes_[k].concave;
   }
-  votes_.resize(table_.pairs().size());
   return *this;
 }
 

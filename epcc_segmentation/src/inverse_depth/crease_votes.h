@@ -25,6 +25,11 @@ class CreaseVotes {
     if (number == votes_.size()) votes_.emplace_back();
     (convex ? votes_[number].convex : votes_[number].concave)++;
   }
+  /// For as many pairs as another count has.
+  void makeRoomAs(const CreaseVotes& other) {
+    table_.makeRoom(other.votes_.size());
+    votes_.reserve(other.votes_.size());
+  }
   /// The votes of another count.
   CreaseVotes& operator+=(const CreaseVotes& other);
   /// After the last vote.

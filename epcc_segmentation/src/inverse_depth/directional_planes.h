@@ -26,6 +26,7 @@ class DirectionalPlanes {
   /// S1: makes room, then the strips are grown in any order.
   void beginLines(const InverseDepthImage& image, const InverseDepthParameters& parameters);
   int strips() const { return active_ ? lines_.strips() : 0; }
+  void makeRoom(StripMemory& memory) const { lines_.makeRoom(memory); }
   void growStrip(const InverseDepthImage& image, int strip, StripMemory& memory) { lines_.grow(image, strip, memory); }
   /// S2
   void growPlanes(const InverseDepthImage& image);

@@ -160,10 +160,19 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
                             static_cast<float>(rule.flip_gain),
                             static_cast<float>(rule.crease_range),
                             static_cast<float>(rule.crease_slack)};
+  const int sample_columns = sampleCount(image.width, stride);
   const int sample_rows = sampleCount(image.height, stride);
   const int probe = std::max(1, (rule.crease_vote_pixels + stride / 2) / stride);
   border_memory_.resize(static_cast<std::size_t>(std::max(1, threads)));
-  for (BorderMemory& memory : border_memory_) memory.pixels.assign(planes_.size(), 0);
+  for (BorderMemory& memory : border_memory_) {  // none is to grow because a thread had nothing to do so far
+    memory.pixels.assign(planes_.size(), 0);
+    memory.borders.resize(wordsOf(sample_columns));
+    memory.places.clear(sample_columns);
+    memory.run_begins.reserve(static_cast<std::size_t>(sample_columns) + 1);
+    memory.run_labels.reserve(static_cast<std::size_t>(sample_columns));
+    const auto pixels_of_row = static_cast<std::size_t>(sample_columns) * static_cast<std::size_t>(stride * stride);
+    memory.questions.makeRoomFor(kEnoughQuestions + pixels_of_row);
+  }
   begins_part_.assign(static_cast<std::size_t>(sample_rows), 0);
   // Each pixel faces one block beside it and one above or below it, and is asked once about each, in this order.
   const auto decide = [&](BorderMemory& memory, bool last) {
@@ -192,8 +201,11 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
   });
   BorderMemory& memory = border_memory_.front();
   BorderEdges edges(image, map, stride, probe, planes_.data(), rays, memory);
-  for (int sample_row = 1; sample_row < sample_rows; ++sample_row)
-    if (begins_part_[static_cast<std::size_t>(sample_row)] != 0) edges.askAbove(sample_row);
+  for (int sample_row = 1; sample_row < sample_rows; ++sample_row) {
+    if (begins_part_[static_cast<std::size_t>(sample_row)] == 0) continue;
+    edges.askAbove(sample_row);
+    decide(memory, false);
+  }
   decide(memory, true);
   for (std::size_t thread = 1; thread < border_memory_.size(); ++thread)
     for (std::size_t k = 0; k < planes_.size(); ++k) memory.pixels[k] += border_memory_[thread].pixels[k];

@@ -48,9 +48,13 @@ void InverseDepthPipeline::growLines() {
   const int rows = directions_[1].strips();
   const int all = directions_[0].strips() + rows;
   strip_memory_.resize(static_cast<std::size_t>(std::max(1, parameters_.threads)));
+  for (StripMemory& memory : strip_memory_) {  // no thread is to ask for memory because it had no strip so far
+    memory.growing.configure(grid_parameters_);
+    for (const DirectionalPlanes& direction : directions_)
+      if (direction.strips() > 0) direction.makeRoom(memory);
+  }
   sharedFor(all, parameters_.threads, [&](int thread, int begin, int end) {
     StripMemory& memory = strip_memory_[static_cast<std::size_t>(thread)];
-    memory.growing.configure(grid_parameters_);
     for (int k = begin; k < end; ++k) {
       const int row_strip = k * rows / all;
       if ((k + 1) * rows / all > row_strip)

@@ -294,17 +294,25 @@ namespace epcc {
 
 HWY_EXPORT(growLines);
 
+int LineGrowing::ringFor(int length) const {
+  const int longest = std::min(length, parameters_.min_samples * (parameters_.max_gap_pixels + 1));
+  int ring = 1;
+  while (ring < longest) ring *= 2;
+  return ring;
+}
+
+void LineGrowing::makeRoom(int length) {
+  rejected_.resize(std::max(rejected_.size(), static_cast<std::size_t>(ringFor(length))));
+}
+
 void LineGrowing::grow(const ScanLines& scan_lines) {
   LineRule rule;
   rule.k2 = k_max_ * k_max_;
   rule.max_rss = static_cast<float>(parameters_.min_samples - 2) * rule.k2;
   rule.min_samples = parameters_.min_samples;
   rule.reach = parameters_.max_gap_pixels + 1;
-  const int longest = std::min(scan_lines.length, parameters_.min_samples * rule.reach);
-  int ring = 1;
-  while (ring < longest) ring *= 2;
-  rule.ring_mask = ring - 1;
-  rejected_.resize(std::max(rejected_.size(), static_cast<std::size_t>(ring)));
+  rule.ring_mask = ringFor(scan_lines.length) - 1;
+  makeRoom(scan_lines.length);
   EPCC_KERNEL(growLines)(scan_lines, rule, rejected_.front().values);
 }
 

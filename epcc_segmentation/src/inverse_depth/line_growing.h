@@ -55,10 +55,15 @@ class LineGrowing {
 
   /// No scan line of so many samples has more segments: each takes min_samples of them.
   int mostLines(int length) const { return length / parameters_.min_samples; }
+  /// For scan lines of so many samples; grow() does it, too.
+  void makeRoom(int length);
   /// Of ScanLines::kCount lines.
   void grow(const ScanLines& scan_lines);
 
  private:
+  /// Of rejected samples, as many as may matter: a power of two.
+  int ringFor(int length) const;
+
   float k_max_ = 0.0f;
   InverseDepthParameters::Lines parameters_;
   std::vector<ValuesOfLines<float>> rejected_;  // weights of the last rejected samples

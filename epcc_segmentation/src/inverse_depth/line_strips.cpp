@@ -30,6 +30,14 @@ void LineStrips::begin(const InverseDepthImage& image, const InverseDepthParamet
   segment_of_.resize(image.w.size());
 }
 
+void LineStrips::makeRoom(StripMemory& memory) const {
+  const std::size_t samples = std::max(memory.w.size(), static_cast<std::size_t>(std::max(1, length_)));
+  memory.w.resize(samples);
+  memory.weight.resize(samples);
+  memory.segment.resize(samples);
+  memory.growing.makeRoom(length_);
+}
+
 void LineStrips::grow(const InverseDepthImage& image, int strip, StripMemory& memory) {
   const int first = strip * ScanLines::kCount;
   const int count = std::min(ScanLines::kCount, scan_lines_ - first);
@@ -52,9 +60,7 @@ void LineStrips::grow(const InverseDepthImage& image, int strip, StripMemory& me
   }
 
   const auto samples = static_cast<std::size_t>(std::max(1, length_));
-  memory.w.resize(samples);
-  memory.weight.resize(samples);
-  memory.segment.resize(samples);
+  makeRoom(memory);
   float* w = memory.w.front().values;
   float* weight = memory.weight.front().values;
   std::int32_t* segment = memory.segment.front().values;

@@ -26,6 +26,8 @@ class LineStrips {
   /// Makes room for the segments of an image.
   void begin(const InverseDepthImage& image, const InverseDepthParameters& parameters);
   int strips() const { return (scan_lines_ + ScanLines::kCount - 1) / ScanLines::kCount; }
+  /// For any strip of the image; grow() does it, too.
+  void makeRoom(StripMemory& memory) const;
   /// Each strip writes to places of its own.
   void grow(const InverseDepthImage& image, int strip, StripMemory& memory);
 

@@ -40,6 +40,12 @@ void RegionPairTable::fill(std::size_t place, const Entry& entry) {
   if (4 * filled_.size() > entries_.size()) resize(64 - shift_ + 1);
 }
 
+void RegionPairTable::makeRoom(std::size_t pairs) {
+  filled_.reserve(pairs);
+  pairs_.reserve(pairs);
+  while (4 * pairs > entries_.size()) resize(64 - shift_ + 1);
+}
+
 void RegionPairTable::resize(int bits) {
   std::vector<Entry>(std::size_t{1} << bits).swap(entries_);
   shift_ = 64 - bits;

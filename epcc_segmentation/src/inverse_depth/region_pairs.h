@@ -22,6 +22,8 @@ class RegionPairTable {
   /// Forgets all pairs. The memory is kept.
   void clear();
 
+  /// For so many pairs.
+  void makeRoom(std::size_t pairs);
   /// The number of a pair. A new pair gets the next one.
   int add(const RegionPair& pair) {
     const std::size_t place = find(keyOf(pair));

@@ -57,6 +57,7 @@ const std::vector<double>& borderLengths(const InverseDepthImage& image, const R
   memory.sweeps.resize(static_cast<std::size_t>(std::max(1, threads)));
   for (ThicknessMemory::Sweep& sweep : memory.sweeps) {
     sweep.border.assign(map.regions.size() + 1, 0.0);
+    sweep.pixels.clear(image.width);
     for (RowBits* bits : {&sweep.left, &sweep.above}) bits->assign(wordsOf(image.width), 0);
   }
   sharedFor(image.height, threads, [&](int thread, int begin, int end) {
