@@ -240,11 +240,16 @@ class Refiner {
   }
 
   void measureCandidates(const Pixel* pixels, Part& part) const {
+    Candidate* const candidates = part.candidates.data();
+    Choice* const choices = part.choices.data();
+    std::size_t* const at_crease = part.at_crease.data();
+    const std::size_t candidate_count = part.candidate_count;
+    const double range = parameters_.crease_range;
     std::size_t count = 0;
-    for (std::size_t k = 0; k < part.candidate_count; ++k) {
-      Candidate& candidate = part.candidates[k];
+    for (std::size_t k = 0; k < candidate_count; ++k) {
+      Candidate& candidate = candidates[k];
       const Pixel pixel = pixels[candidate.choice];
-      Choice& choice = part.choices[static_cast<std::size_t>(candidate.choice)];
+      Choice& choice = choices[candidate.choice];
       const auto index = static_cast<std::size_t>(pixel.index);
       const auto w = static_cast<double>(image_.w[index]);
       const double inverse_sigma = std::sqrt(static_cast<double>(image_.weight[index]));
@@ -256,10 +261,9 @@ class Refiner {
       candidate.difference = on_current - on_other;
       candidate.verdict = Verdict::Residual;
       choice.least = candidate.error;
-      const double range = parameters_.crease_range;
       const bool near = (choice.current != 0) & (candidate.error <= range) & (candidate.other_error <= range) &
                         (std::abs(candidate.difference) * inverse_sigma <= range);
-      part.at_crease[count] = k;
+      at_crease[count] = k;
       count += near ? 1 : 0;
     }
     part.at_crease_count = use_creases_ ? count : 0;
@@ -282,10 +286,14 @@ class Refiner {
   std::size_t choose(const Pixel* pixels, Part& part, RefinementMemory::Change* changes) const {
     static constexpr double kOffer[2] = {std::numeric_limits<double>::infinity(), 0.0};
     std::int32_t* changed = part.changed.data();
-    for (std::size_t k = 0; k < part.candidate_count; ++k) {
-      const Candidate& candidate = part.candidates[k];
-      Choice& choice = part.choices[static_cast<std::size_t>(candidate.choice)];
-      const double gain = choice.current != 0 ? parameters_.flip_gain : 0.0;
+    const double flip_gain = parameters_.flip_gain;
+    const Candidate* const candidates = part.candidates.data();
+    Choice* const choices = part.choices.data();
+    const std::size_t candidate_count = part.candidate_count;
+    for (std::size_t k = 0; k < candidate_count; ++k) {
+      const Candidate& candidate = candidates[k];
+      Choice& choice = choices[candidate.choice];
+      const double gain = choice.current != 0 ? flip_gain : 0.0;
       const bool better = (candidate.other_error < candidate.error - gain) & (candidate.other_error < choice.least);
       const bool flips = (candidate.verdict == Verdict::Flip) | ((candidate.verdict == Verdict::Residual) & better);
       *changed = candidate.choice;
