@@ -110,7 +110,8 @@ int MetricPipeline::labelPixels(const DepthFrame& view, std::vector<std::int32_t
         plane == PlaneClustering::kUnlabelled ? 0 : label_of_plane_[static_cast<std::size_t>(plane)];
   });
   label_of_number_[0] = 0;
-  labelOfNumbers(view, numbers_.data(), strips_.paddedWidth(), label_of_number_.data(), labels.data());
+  labelOfNumbers(view, numbers_.data(), strips_.paddedWidth(), label_of_number_.data(), labels.data(),
+                 parameters_.threads);
   return count;
 }
 

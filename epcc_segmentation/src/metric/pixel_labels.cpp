@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "parallel_for.h"
 #include "vector/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -44,25 +45,34 @@ namespace {
 
 HWY_EXPORT(lookUp);
 
+constexpr int kBlock = 32;  // rows
+
 /// Rows of the view are columns of the labels.
 void lookUpTransposed(const DepthFrame& view, const std::int32_t* numbers, std::size_t stride,
-                      const std::int32_t* label_of, std::int32_t* labels) {
-  constexpr int kBlock = 32;
-  for (int top = 0; top < view.height(); top += kBlock)
-    for (int column = 0; column < view.width(); ++column)
-      for (int row = top; row < std::min(top + kBlock, view.height()); ++row)
-        labels[view.index(row, column)] =
-            label_of[numbers[static_cast<std::size_t>(row) * stride + static_cast<std::size_t>(column)]];
+                      const std::int32_t* label_of, int begin, int end, std::int32_t* labels) {
+  for (int column = 0; column < view.width(); ++column)
+    for (int row = begin; row < end; ++row)
+      labels[view.index(row, column)] =
+          label_of[numbers[static_cast<std::size_t>(row) * stride + static_cast<std::size_t>(column)]];
 }
 
 }  // namespace
 
 void labelOfNumbers(const DepthFrame& view, const std::int32_t* numbers, std::size_t stride,
-                    const std::int32_t* label_of, std::int32_t* labels) {
-  if (view.isTransposed()) return lookUpTransposed(view, numbers, stride, label_of, labels);
-  for (int row = 0; row < view.height(); ++row) EPCC_KERNEL(lookUp)
-  (numbers + static_cast<std::size_t>(row) * stride, static_cast<std::size_t>(view.width()), label_of,
-   labels + view.index(row, 0));
+                    const std::int32_t* label_of, std::int32_t* labels, int threads) {
+  const auto width = static_cast<std::size_t>(view.width());
+  sharedFor((view.height() + kBlock - 1) / kBlock, threads, [&](int /*thread*/, int first, int last) {
+    for (int block = first; block < last; ++block) {
+      const int begin = block * kBlock, end = std::min(begin + kBlock, view.height());
+      if (view.isTransposed()) {
+        lookUpTransposed(view, numbers, stride, label_of, begin, end, labels);
+        continue;
+      }
+      const auto look_up = EPCC_KERNEL(lookUp);
+      for (int row = begin; row < end; ++row)
+        look_up(numbers + static_cast<std::size_t>(row) * stride, width, label_of, labels + view.index(row, 0));
+    }
+  });
 }
 
 }  // namespace epcc
