@@ -16,7 +16,8 @@ namespace epcc {
 
 namespace {
 
-/// Looks before sleep, some ten microseconds: about the time between two parallel steps of a frame.
+/// Looks before sleep, with the processor offered to others after each: up to a millisecond, longer than the serial
+/// steps of a frame last.
 constexpr int kLooks = 2000;
 
 class WorkerPool {
