@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 const char kDepthEnding[] = "_depth.png";
 const char kLabelsEnding[] = "_labels.png";
 const char kCameraEnding[] = ".json";
+constexpr std::uint16_t kNoDepth = 65535;  // what sensors write where they saw nothing, or too far to be said
 
 std::string pathOf(const std::string& folder, const std::string& name, const char* ending) {
   return (fs::path(folder) / (name + ending)).string();
@@ -40,7 +41,7 @@ void checkSizeToWrite(const std::string& path, const Image<T>& image, const Pinh
 
 DepthFrame frameView(const LabelledFrame& frame) {
   if (frame.scan.empty()) return DepthFrame::fromDepth(frame.depth.data.data(), frame.camera.camera);
-  return DepthFrame::fromPoints(frame.scan.data(), 3, frame.depth.width, frame.depth.height, frame.projection);
+  return DepthFrame::fromPoints(frame.scan.data(), 3, frame.depth.width, frame.depth.height, frame.geometry);
 }
 
 std::vector<std::string> listLabelledFrames(const std::string& folder) {
@@ -81,7 +82,8 @@ void writeLabelledFrame(const std::string& folder, const LabelledFrame& frame) {
 
 DepthImage depthFromPng(const Image<std::uint16_t>& raw, double depth_scale) {
   DepthImage depth(raw.width, raw.height);
-  for (std::size_t i = 0; i < raw.data.size(); ++i) depth.data[i] = static_cast<float>(raw.data[i] * depth_scale);
+  for (std::size_t i = 0; i < raw.data.size(); ++i)
+    depth.data[i] = raw.data[i] == kNoDepth ? 0.0F : static_cast<float>(raw.data[i] * depth_scale);
   return depth;
 }
 

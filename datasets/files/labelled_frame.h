@@ -16,10 +16,11 @@ struct LabelledFrame {
   CameraFile camera;
   DepthImage depth;
   LabelImage labels;
-  /// x, y, z of every pixel of a cloud, whose measured values (ranges of a spherical scan) `depth` holds; empty for a
-  /// depth image, whose pixels `camera` turns into points.
+  /// x, y, z of every pixel of a cloud, as its file has them; `depth` holds the measured values (ranges of a scanner)
+  /// in metres. Empty for a depth image, whose pixels `camera` turns into points.
   std::vector<float> scan;
-  Projection projection = Projection::Spherical;  ///< of `scan`
+  CloudOptions known;      ///< of `scan`, before its geometry was looked for
+  CloudGeometry geometry;  ///< of `scan`
 };
 
 /// What a segmenter is given; the frame must outlive it.
@@ -32,7 +33,7 @@ LabelledFrame readLabelledFrame(const std::string& folder, const std::string& na
 /// Depth is stored in units of camera.depth_scale, rounded; depths that do not fit 16 bits become invalid.
 void writeLabelledFrame(const std::string& folder, const LabelledFrame& frame);
 
-/// Raw depth units -> metres.
+/// Raw depth units -> metres; 0 where they are 0 or 65535, the last number there is.
 DepthImage depthFromPng(const Image<std::uint16_t>& raw, double depth_scale);
 
 }  // namespace epcc

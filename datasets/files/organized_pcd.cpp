@@ -222,6 +222,7 @@ OrganizedCloud readOrganizedPcd(const std::string& path, const std::string& labe
   OrganizedCloud cloud;
   cloud.width = header.width;
   cloud.height = header.height;
+  cloud.viewpoint = header.viewpoint;
   cloud.xyz.resize(3 * header.points());
   if (!label_field.empty()) cloud.label.resize(header.points());
   if (header.data == PcdData::Ascii)

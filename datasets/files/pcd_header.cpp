@@ -2,13 +2,16 @@
 // A line parser of its own: PCL 1.13's reader crashes on several damaged headers.
 #include "datasets/files/pcd_header.h"
 
+#include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
 #include "datasets/files/image.h"
 #include "datasets/support/input_error.h"
+#include "datasets/support/number_text.h"
 
 namespace epcc {
 
@@ -127,6 +130,20 @@ void dropPadding(const std::string& path, std::vector<PcdField>& fields) {
   fields = std::move(kept);
 }
 
+/// VIEWPOINT is often missing or careless: what makes no sense counts as none.
+void readViewpoint(const Lines& lines, std::array<double, 7>& viewpoint) {
+  const auto found = lines.find("VIEWPOINT");
+  if (found == lines.end() || found->second.size() != viewpoint.size()) return;
+  std::array<double, 7> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::optional<double> number = numberFrom(found->second[i]);
+    if (!number || !std::isfinite(*number)) return;
+    values[i] = *number;
+  }
+  const double norm = std::hypot(std::hypot(values[3], values[4]), std::hypot(values[5], values[6]));
+  if (std::abs(norm - 1.0) < 0.01) viewpoint = values;
+}
+
 PcdData readDataKind(const std::string& path, const Lines& lines) {
   const std::string& kind = valuesOf(path, lines, "DATA")[0];
   if (kind == "ascii") return PcdData::Ascii;
@@ -170,6 +187,7 @@ PcdHeader readPcdHeader(const std::string& path) {
   PcdHeader header;
   const Lines lines = splitHeader(path, header.data_offset);
   header.data = readDataKind(path, lines);
+  readViewpoint(lines, header.viewpoint);
   header.fields = readFields(path, lines);
   if (header.data == PcdData::BinaryCompressed) dropPadding(path, header.fields);
   header.point_size = header.fields.back().offset + header.fields.back().size * header.fields.back().count;

@@ -2,6 +2,7 @@
 // The header of a PCD file, checked before anything believes it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,7 +24,9 @@ struct PcdHeader {
   int width = 0;
   int height = 0;
   PcdData data = PcdData::Ascii;
-  int point_size = 0;              ///< bytes
+  int point_size = 0;  ///< bytes
+  /// Where the sensor was and how it was turned: x, y, z and the quaternion w, x, y, z.
+  std::array<double, 7> viewpoint{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
   std::uintmax_t data_offset = 0;  ///< where the payload starts
 
   std::size_t points() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }

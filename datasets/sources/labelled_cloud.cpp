@@ -2,9 +2,11 @@
 // Reads a cloud's points, finds out how they were seen, and turns its label field into a label image.
 #include "datasets/sources/labelled_cloud.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "datasets/files/organized_pcd.h"
@@ -46,31 +48,46 @@ std::size_t firstFraction(const std::vector<float>& values) {
   return static_cast<std::size_t>(fraction - values.begin());
 }
 
-float measured(const float* p, Projection projection) {
-  if (!std::isfinite(p[0] + p[1] + p[2])) return 0.0F;
-  if (projection == Projection::Spherical) return std::hypot(p[0], p[1], p[2]);
-  const float z = projection == Projection::Perspective ? p[2] : -p[2];
-  return z > 0.0F ? z : 0.0F;
+std::optional<SensorPose> viewpointOf(const OrganizedCloud& cloud) {
+  const auto& v = cloud.viewpoint;
+  const Eigen::Quaterniond turn(v[3], v[4], v[5], v[6]);
+  SensorPose pose;
+  pose.origin = Eigen::Vector3d(v[0], v[1], v[2]);
+  pose.axes = turn.normalized().toRotationMatrix();
+  if (pose.origin.isZero() && pose.axes.isIdentity()) return std::nullopt;
+  return pose;
 }
 
 /// Takes the points out of the cloud.
-LabelledFrame unlabelledFrame(const std::string& path, OrganizedCloud& cloud, Projection projection) {
+LabelledFrame unlabelledFrame(const std::string& path, OrganizedCloud& cloud, bool is_scan) {
   LabelledFrame frame;
   frame.name = std::filesystem::path(path).stem().string();
-  frame.projection = projection;
+  frame.known.viewpoint = viewpointOf(cloud);
+  if (is_scan) frame.known.projection = Projection::Spherical;
   frame.depth = DepthImage(cloud.width, cloud.height);
-  for (std::size_t i = 0; i < frame.depth.data.size(); ++i)
-    frame.depth.data[i] = measured(&cloud.xyz[3 * i], projection);
   frame.scan = std::move(cloud.xyz);
+  findCloudGeometry(frame, frame.known);
   return frame;
 }
 
 }  // namespace
 
+void findCloudGeometry(LabelledFrame& frame, const CloudOptions& options) {
+  DepthImage& depth = frame.depth;
+  frame.geometry = findGeometry(frame.scan.data(), 3, depth.width, depth.height, options);
+  std::fill(depth.data.begin(), depth.data.end(), 0.0F);
+  const DepthFrame view = frameView(frame);
+  if (view.empty()) return;
+  Eigen::Vector3d point;
+  for (int row = 0; row < depth.height; ++row)
+    for (int column = 0; column < depth.width; ++column)
+      if (view.scanPoint(row, column, point))
+        depth.data[view.index(row, column)] = static_cast<float>(view.measuredDepth(point));
+}
+
 LabelledFrame readCloud(const std::string& path) {
   OrganizedCloud cloud = readOrganizedPcd(path);
-  const Projection projection = detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height);
-  return unlabelledFrame(path, cloud, projection);
+  return unlabelledFrame(path, cloud, false);
 }
 
 LabelledFrame readLabelledCloud(const std::string& path) {
@@ -83,9 +100,7 @@ LabelledFrame readLabelledCloud(const std::string& path) {
   if (!whole && !is_intensity)
     throw InputError(path, field, "of point " + std::to_string(fraction) + " is not a whole number, so it is no label");
   const bool synpeb = is_intensity && whole;
-  const Projection projection =
-      synpeb ? Projection::Spherical : detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height);
-  LabelledFrame frame = unlabelledFrame(path, cloud, projection);
+  LabelledFrame frame = unlabelledFrame(path, cloud, synpeb);
   if (!whole) return frame;
   if (synpeb) frame.camera.noise = kSynpebNoise;
   frame.labels = LabelImage(cloud.width, cloud.height);

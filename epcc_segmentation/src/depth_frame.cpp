@@ -73,6 +73,10 @@ DepthFrame DepthFrame::fromDepth(const float* depth, const PinholeCamera& camera
   return ofView(DepthView<float>{depth, camera.width, camera.height}, camera);
 }
 
+Projection detectProjection(const float* xyz, std::size_t stride, int width, int height) {
+  return findGeometry(xyz, stride, width, height).projection;
+}
+
 void DepthFrame::setSize(int width, int height) {
   status_ = Status::Ok;
   problem_ = "";
@@ -93,6 +97,23 @@ DepthFrame DepthFrame::fromPoints(const float* xyz, std::size_t stride, int widt
   return frame;
 }
 
+DepthFrame DepthFrame::fromPoints(const float* xyz, std::size_t stride, int width, int height,
+                                  const CloudGeometry& geometry) {
+  DepthFrame frame = fromPoints(xyz, stride, width, height, geometry.projection);
+  if (frame.empty()) return frame;
+  if (geometry.status != Status::Ok) return unusable(geometry.status, geometry.problem.c_str());
+  if (!geometry.is_plain || geometry.grid.rings_are_columns) frame.geometry_ = &geometry;
+  frame.closes_round_ = geometry.grid.closes_round;
+  return frame;
+}
+
+DepthFrame DepthFrame::readAs(const DepthOptions& options) const {
+  DepthFrame frame = *this;
+  frame.options_ = options;
+  frame.has_options_ = depth_ != nullptr;
+  return frame;
+}
+
 DepthFrame DepthFrame::masked(const std::uint8_t* mask) const {
   DepthFrame frame = *this;
   frame.mask_ = mask;
@@ -105,15 +126,40 @@ DepthFrame DepthFrame::transposed() const {
   std::swap(frame.row_stride_, frame.column_stride_);
   std::swap(frame.depth_row_stride_, frame.depth_column_stride_);
   frame.transposed_ = !transposed_;
+  frame.closes_round_ = false;
+  return frame;
+}
+
+DepthFrame DepthFrame::closedRound() const {
+  DepthFrame frame = *this;
+  frame.closes_round_ = true;
   return frame;
 }
 
 Eigen::Vector3d DepthFrame::fromScan(const Eigen::Vector3d& scan_point) const {
   Eigen::Vector3d p = scan_point;
   if (transposed_) std::swap(p.x(), p.y());
-  if (projection_ == Projection::PerspectiveBackward) return {p.x(), -p.y(), -p.z()};
-  if (projection_ == Projection::Spherical) return {p.z(), -p.x(), -p.y()};
+  if (projection_ == Projection::PerspectiveBackward) p = Eigen::Vector3d(p.x(), -p.y(), -p.z());
+  if (projection_ == Projection::Spherical) p = Eigen::Vector3d(p.z(), -p.x(), -p.y());
+  if (geometry_ != nullptr) p = geometry_->pose.axes * p + geometry_->pose.origin;
   return p;
+}
+
+// In the sensor's own frame, in metres.
+bool DepthFrame::posedPoint(int row, int column, double& x, double& y, double& z) const {
+  const float* p = xyz_ + index(row, column) * point_stride_;
+  if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) return false;
+  if (p[0] == 0.0f && p[1] == 0.0f && p[2] == 0.0f) return false;
+  for (const Vector3f& marker : geometry_->invalid_points)
+    if (p[0] == marker.x() && p[1] == marker.y() && p[2] == marker.z()) return false;
+  const Eigen::Vector3d metres = geometry_->unit * Vector3f(p[0], p[1], p[2]).cast<double>();
+  const Eigen::Vector3d s = geometry_->pose.axes.transpose() * (metres - geometry_->pose.origin);
+  const double depth = isPerspective(projection_) ? s.z() : s.norm();
+  if (!(depth > 0.0) || depth < geometry_->min_depth || depth > geometry_->max_depth) return false;
+  x = s.x();
+  y = s.y();
+  z = s.z();
+  return true;
 }
 
 template <typename T>
@@ -125,9 +171,21 @@ void DepthFrame::readRow(int row, float* depth) const {
   for (int c = 0; c < width_; ++c) {
     T value;
     std::memcpy(&value, values + c * depth_column_stride_, sizeof value);
-    const auto z = static_cast<float>(value * scale_);
+    const bool is_none = std::is_same<T, std::uint16_t>::value && value == static_cast<T>(kNoDepth);
+    const auto z = is_none ? 0.0f : static_cast<float>(value * scale_);
     depth[c] = z > 0.0f && z <= std::numeric_limits<float>::max() ? z : 0.0f;
   }
+}
+
+// A depth in metres, as the image has it -> that of the options, 0 if it is none.
+float DepthFrame::asRead(int row, int column, float depth) const {
+  if (options_.invalid && depth == static_cast<float>(*options_.invalid * scale_)) return 0.0f;
+  auto z = static_cast<double>(depth);
+  if (options_.is_distance) {
+    const double u = pinholeAcross(column), v = pinholeAlong(row);
+    z /= std::sqrt(1.0 + u * u + v * v);
+  }
+  return z >= options_.min_depth && z <= options_.max_depth ? static_cast<float>(z) : 0.0f;
 }
 
 void DepthFrame::depthRow(int row, float* depth) const {
@@ -136,6 +194,8 @@ void DepthFrame::depthRow(int row, float* depth) const {
     readRow<float>(row, depth);
   else
     readRow<std::uint16_t>(row, depth);
+  if (has_options_)
+    for (int c = 0; c < width_; ++c) depth[c] = asRead(row, c, depth[c]);
   if (mask_ == nullptr) return;
   for (int c = 0; c < width_; ++c)
     if (mask_[index(row, c)] == 0) depth[c] = 0.0f;

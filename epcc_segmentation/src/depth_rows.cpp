@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "vector/dispatch.h"
@@ -18,15 +19,16 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // Checked before the values are narrowed: some units narrow infinity to the largest number.
 constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());
+constexpr double kLastInteger = 65534.5;  // 65535 stands for what is beyond
 
 #if HWY_TARGET == HWY_EMU128  // the compiler makes vectors of a plain loop, but not of emulated conversions
 
 /// z = scale * value.
 template <typename Value>
-HWY_INLINE void scaleDepths(const Value* values, std::size_t count, double scale, float* depth) {
+HWY_INLINE void scaleDepths(const Value* values, std::size_t count, double scale, double farthest, float* depth) {
   for (std::size_t i = 0; i < count; ++i) {
     const double z = static_cast<double>(values[i]) * scale;
-    depth[i] = static_cast<float>(z > 0.0 && z <= kLargest ? z : 0.0);
+    depth[i] = static_cast<float>(z > 0.0 && z <= farthest ? z : 0.0);
   }
 }
 
@@ -47,10 +49,10 @@ HWY_INLINE hn::Vec<Doubles> loadValues(const float* values) {
 
 /// z = scale * value.
 template <typename Value>
-HWY_INLINE void scaleDepths(const Value* values, std::size_t count, double scale, float* depth) {
+HWY_INLINE void scaleDepths(const Value* values, std::size_t count, double scale, double farthest, float* depth) {
   const Doubles d;
   const auto scales = hn::Set(d, scale);
-  const auto largest = hn::Set(d, kLargest);
+  const auto largest = hn::Set(d, farthest);
   const auto metres = [&](const Value* from, float* to) HWY_ATTR {
     const auto z = hn::Mul(loadValues(from), scales);
     const auto valid = hn::And(hn::Gt(z, hn::Zero(d)), hn::Le(z, largest));
@@ -69,10 +71,10 @@ HWY_INLINE void scaleDepths(const Value* values, std::size_t count, double scale
 #endif
 
 void ScaleIntegers(const std::uint16_t* values, std::size_t count, double scale, float* depth) {
-  scaleDepths(values, count, scale, depth);
+  scaleDepths(values, count, scale, std::min(kLargest, kLastInteger * scale), depth);
 }
 void ScaleFloats(const float* values, std::size_t count, double scale, float* depth) {
-  scaleDepths(values, count, scale, depth);
+  scaleDepths(values, count, scale, kLargest, depth);
 }
 
 }  // namespace HWY_NAMESPACE

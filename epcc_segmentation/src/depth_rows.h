@@ -7,7 +7,7 @@
 
 namespace epcc {
 
-/// z = scale * value; 0 where that is not positive and finite.
+/// z = scale * value; 0 where that is not positive and finite, or the integer is 65535.
 void depthsInMetres(const std::uint16_t* values, std::size_t count, double scale, float* depth);
 void depthsInMetres(const float* values, std::size_t count, double scale, float* depth);
 

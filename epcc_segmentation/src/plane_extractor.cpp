@@ -9,6 +9,7 @@
 
 #include "epcc_segmentation/sensor_estimation.h"
 #include "epcc_segmentation/vector_unit.h"
+#include "geometry/sensor_cloud.h"
 #include "inverse_depth/inverse_depth_pipeline.h"
 #include "inverse_depth/sample_grid.h"
 #include "metric/metric_pipeline.h"
@@ -58,6 +59,7 @@ void moveLabels(const DepthFrame& frame, std::vector<std::int32_t>& from, std::v
 struct PlaneExtractor::Workspace {
   Workspace(const Parameters& parameters, const SensorModel& sensor)
       : metric(parameters, sensor), inverse_depth(parameters, sensor) {}
+  SensorCloud cloud;
   InverseDepthImage image;
   SensorEstimator estimator;
   MetricPipeline metric;
@@ -92,6 +94,28 @@ void PlaneExtractor::setSensorAuto() {
 bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result) try {
   if (!check(frame, result)) return false;
   if (!workspace_) workspace_ = std::make_unique<Workspace>(parameters_, sensor_);  // it was moved away
+  if (frame.geometry() == nullptr) {
+    extractInSensorFrame(frame, result);
+    return true;
+  }
+  StopWatch watch;
+  const DepthFrame own = workspace_->cloud.of(frame, parameters_.threads);
+  const double turning = watch.lap();
+  result.width = own.width();
+  result.height = own.height();
+  extractInSensorFrame(own, result);
+  watch.lap();
+  workspace_->cloud.giveBack(result);
+  times_.read += turning;
+  times_.result += watch.lap();
+  return true;
+} catch (const std::bad_alloc&) {
+  return fail(Status::OutOfMemory, "out of memory", result);  // short enough to need none
+} catch (const std::exception& error) {
+  return fail(Status::Failed, error.what(), result);
+}
+
+void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result) {
   const bool paper = parameters_.mode == Mode::Paper;
   const int count = paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
   const FitSamples samples = paper ? FitSamples() : workspace_->inverse_depth.fitSamples();
@@ -99,11 +123,6 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
   workspace_->fitter.fit(frame, sensor_, count, samples, parameters_.threads, result);
   if (parameters_.line_segments) listSegments(frame, result);
   times_.result += watch.lap();
-  return true;
-} catch (const std::bad_alloc&) {
-  return fail(Status::OutOfMemory, "out of memory", result);  // short enough to need none
-} catch (const std::exception& error) {
-  return fail(Status::Failed, error.what(), result);
 }
 
 int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& result) {

@@ -49,12 +49,10 @@ std::vector<double> visibleAreas(const DepthFrame& frame, const PlaneSegmentatio
   return areas;
 }
 
-// Share of the unit normal that points up: y is down in a camera, up in a backward one, z is up in a spherical scan.
+// Share of the unit normal that points up for the sensor: y is down in the scan frame.
 double upward(const DepthFrame& frame, const Plane& plane) {
-  double up = -plane.coefficients.y();
-  if (frame.projection() == Projection::PerspectiveBackward) up = plane.coefficients.y();
-  if (frame.projection() == Projection::Spherical) up = plane.coefficients.z();
-  return std::clamp(up, -1.0, 1.0);
+  const Eigen::Vector3d up = frame.fromScan(-Eigen::Vector3d::UnitY()) - frame.fromScan(Eigen::Vector3d::Zero());
+  return std::clamp(up.dot(plane.coefficients.head<3>()), -1.0, 1.0);
 }
 
 std::string kindOf(double tilt, double up) {
@@ -67,6 +65,7 @@ std::string kindOf(double tilt, double up) {
 
 std::vector<PlaneSummary> summarizePlanes(const DepthFrame& frame, const PlaneSegmentation& result) {
   const std::vector<double> areas = visibleAreas(frame, result);
+  const Eigen::Vector3d sensor = frame.fromScan(Eigen::Vector3d::Zero());
   std::vector<PlaneSummary> summaries;
   for (std::size_t i = 0; i < result.planes.size(); ++i) {
     const Plane& plane = result.planes[i];
@@ -75,8 +74,8 @@ std::vector<PlaneSummary> summarizePlanes(const DepthFrame& frame, const PlaneSe
     summary.id = static_cast<int>(i) + 1;
     summary.pixels = plane.pixel_count;
     summary.area = areas[i];
-    summary.distance = std::abs(plane.coefficients(3));
-    summary.centroid_distance = plane.centroid.norm();
+    summary.distance = std::abs(plane.signedDistance(sensor));
+    summary.centroid_distance = (plane.centroid - sensor).norm();
     summary.tilt = std::acos(std::abs(up)) * kDegrees;
     summary.kind = kindOf(summary.tilt, up);
     summary.rms = plane.rms;

@@ -63,14 +63,20 @@ std::string timingLine(const StepTimes& steps, const StageTimes& stages) {
   return text;
 }
 
-/// One input from file to files; returns its report. Throws InputError, OutputError.
-std::string segmentOne(const SegmentOptions& options, const SegmentInput& input, PlaneExtractor& extractor) {
+/// One input from file to files; returns its report. Throws InputError, OutputError. What a person should know goes to
+/// `notes`, one line each.
+std::string segmentOne(const SegmentOptions& options, const SegmentInput& input, PlaneExtractor& extractor,
+                       std::ostream& notes) {
   if (input.problem) throw *input.problem;
   StepTimes times;
   Clock::time_point start = Clock::now();
   const LabelledFrame frame = loadInput(input, options);
   const DepthFrame view = frameView(frame);
   times.reading = lapMs(start);
+  if (!frame.scan.empty() && frame.geometry.unit_is_guessed)
+    notes
+        << kProgram << ": " << input.path
+        << ": unit: taken as millimetres, for as metres the points would be too far away; --unit m, cm or mm says it\n";
 
   const std::string& told_by = input.camera_file.empty() ? input.path : input.camera_file;
   const FrameSensor sensor = frameSensor(options.noise, frame.camera.noise, view, told_by);
@@ -102,7 +108,7 @@ int segmentAll(const SegmentOptions& options, const std::vector<SegmentInput>& i
     std::ostringstream problem;
     const int of_frame = runStep(kProgram, problem, [&] {
       try {
-        report = segmentOne(options, inputs[i], extractor);
+        report = segmentOne(options, inputs[i], extractor, problem);
       } catch (const std::bad_alloc&) {
         throw InputError(inputs[i].path, "size", "does not fit into memory");
       }

@@ -125,8 +125,11 @@ LabelledFrame readDepthFile(const SegmentInput& input, const SegmentOptions& opt
 }  // namespace
 
 LabelledFrame loadInput(const SegmentInput& input, const SegmentOptions& options) {
-  if (input.source) return input.source->read(input.index);
-  return input.is_cloud ? readCloud(input.path) : readDepthFile(input, options);
+  LabelledFrame frame = input.source     ? input.source->read(input.index)
+                        : input.is_cloud ? readCloud(input.path)
+                                         : readDepthFile(input, options);
+  readAs(frame, options.reading);
+  return frame;
 }
 
 InputList listInputs(const SegmentOptions& options) {

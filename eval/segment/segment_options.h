@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/sources/reading_options.h"
 #include "epcc_segmentation/parameters.h"
 
 namespace epcc {
@@ -30,6 +31,7 @@ struct SegmentOptions {
   std::vector<std::string> inputs;
   std::string camera_file;
   std::optional<CameraNumbers> camera;
+  ReadingOptions reading;
   std::string noise;  ///< sensor model as on the command line; empty: the frame's own, else auto
   Parameters parameters;
   std::string labels;

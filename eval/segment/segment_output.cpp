@@ -41,7 +41,6 @@ std::set<std::string> filesOf(const SegmentInput& input, bool in_folder) {
 }
 
 std::vector<float> pointsOf(const LabelledFrame& input) {
-  if (!input.scan.empty()) return input.scan;
   const DepthFrame frame = frameView(input);
   std::vector<float> xyz(3 * input.depth.data.size(), std::numeric_limits<float>::quiet_NaN());
   Eigen::Vector3d point;
@@ -105,7 +104,8 @@ std::string checkOutputs(const SegmentOptions& options, const std::vector<Segmen
 void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result) {
   refuseSpecialFiles(paths);
   if (!paths.labels.empty()) writeLabelImage(paths.labels, result);
-  if (!paths.planes.empty()) writePlaneList(paths.planes, result, frameView(input).projection());
+  const DepthFrame view = frameView(input);
+  if (!paths.planes.empty()) writePlaneList(paths.planes, result, view.projection(), view.geometry());
   if (!paths.overlay.empty()) writeRgb(paths.overlay, drawOverlay(input.depth, result.labels));
   if (!paths.cloud.empty())
     writeLabelledPcd(paths.cloud, result.width, result.height, pointsOf(input),

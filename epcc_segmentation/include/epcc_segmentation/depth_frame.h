@@ -10,8 +10,10 @@
 #include <string>
 #include <utility>
 
+#include "epcc_segmentation/cloud_geometry.h"
 #include "epcc_segmentation/depth_view.h"
 #include "epcc_segmentation/export.h"
+#include "epcc_segmentation/projection.h"
 #include "epcc_segmentation/status.h"
 
 namespace epcc {
@@ -28,18 +30,6 @@ struct PinholeCamera {
   /// Empty if usable, else what is wrong in words.
   EPCC_CORE_EXPORT std::string validate() const;
 };
-
-/// How the pixels of an organized measurement see the world.
-enum class Projection {
-  Perspective,          ///< measured value z along the optical axis; columns and rows are planar sections
-  PerspectiveBackward,  ///< the same seen along -z with y up, as in computer graphics: valid points have z < 0
-  Spherical  ///< measured value range; columns (fixed azimuth about the z-up axis) are planar sections, rows are cones
-};
-
-/// True if the measured value is a distance along the optical axis.
-inline bool isPerspective(Projection projection) {
-  return projection != Projection::Spherical;
-}
 
 /// Non-owning view; the data must outlive it. Row-major. Cheap to copy.
 ///
@@ -59,11 +49,19 @@ class EPCC_CORE_EXPORT DepthFrame {
   /// Perspective clouds are in the camera frame (x right, y down, z forward; backward ones x right, y up, z back);
   /// spherical ones x forward, y left, z up.
   static DepthFrame fromPoints(const float* xyz, std::size_t stride, int width, int height, Projection projection);
+  /// Organized cloud of any frame, unit and order of pixels, as findGeometry() found it; the geometry must outlive the
+  /// view, too. Unusable if none was found.
+  static DepthFrame fromPoints(const float* xyz, std::size_t stride, int width, int height,
+                               const CloudGeometry& geometry);
 
+  /// The depth image read in another way; of a cloud CloudOptions say it.
+  DepthFrame readAs(const DepthOptions& options) const;
   /// Pixels with mask[row * width + column] == 0 count as invalid; nullptr: none.
   DepthFrame masked(const std::uint8_t* mask) const;
   /// Rows become columns, x and y change places.
   DepthFrame transposed() const;
+  /// Of a scanner's cloud: the last column adjoins the first.
+  DepthFrame closedRound() const;
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -75,17 +73,21 @@ class EPCC_CORE_EXPORT DepthFrame {
   Projection projection() const { return projection_; }
   bool isPinhole() const { return depth_ != nullptr; }
   bool isTransposed() const { return transposed_; }
+  bool closesRound() const { return closes_round_; }
+  /// How a cloud is turned into the sensor's frame before it is segmented; null if it is in it.
+  const CloudGeometry* geometry() const { return geometry_; }
 
   /// Index of the pixel in row-major arrays of width x height (labels, masks, points), also from a transposed view.
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * row_stride_ + static_cast<std::size_t>(column) * column_stride_;
   }
 
-  /// Point in the scan frame, metres. False for an invalid pixel.
+  /// Point in the scan frame, metres. False for an invalid pixel. Of a cloud with a geometry() it is the scan frame of
+  /// its sensor, pixel by pixel in the cloud's own order.
   bool scanPoint(int row, int column, Eigen::Vector3d& point) const;
-  /// A point of the scan frame in the sensor's own frame.
+  /// A point of the scan frame in the sensor's own frame, or the cloud's.
   Eigen::Vector3d fromScan(const Eigen::Vector3d& scan_point) const;
-  /// Point in the sensor's own frame, metres. False for an invalid pixel.
+  /// Point in the sensor's own frame, or the cloud's, metres. False for an invalid pixel.
   bool point(int row, int column, Eigen::Vector3d& point) const;
   /// Of a pinhole frame (isPinhole()): the depths of a row in metres, 0 for invalid pixels, and the rays' slopes
   /// u = (c - cx)/fx of a column and v = (r - cy)/fy of a row.
@@ -106,6 +108,8 @@ class EPCC_CORE_EXPORT DepthFrame {
   }
 
  private:
+  static constexpr std::uint16_t kNoDepth = 65535;
+
   DepthFrame() = default;
   template <typename T>
   static DepthFrame ofView(const DepthView<T>& depth, const PinholeCamera& camera);
@@ -114,8 +118,15 @@ class EPCC_CORE_EXPORT DepthFrame {
   void readRow(int row, float* depth) const;
   static DepthFrame unusable(Status status, const char* problem);
   bool sensorPoint(int row, int column, double& x, double& y, double& z) const;
-  /// Metres, as the image has it: it may be invalid.
+  bool posedPoint(int row, int column, double& x, double& y, double& z) const;
+  /// Metres: it may be invalid.
   float depthAt(int row, int column) const {
+    const float depth = storedDepth(row, column);
+    return has_options_ ? asRead(row, column, depth) : depth;
+  }
+  float asRead(int row, int column, float depth) const;
+  /// As the image has it.
+  float storedDepth(int row, int column) const {
     const char* value = depth_ + row * depth_row_stride_ + column * depth_column_stride_;
     if (depth_is_float_) {
       float metres;
@@ -124,7 +135,7 @@ class EPCC_CORE_EXPORT DepthFrame {
     }
     std::uint16_t units;
     std::memcpy(&units, value, sizeof units);
-    return static_cast<float>(units * scale_);
+    return units == kNoDepth ? 0.0f : static_cast<float>(units * scale_);
   }
 
   Status status_ = Status::EmptyCloud;
@@ -134,6 +145,8 @@ class EPCC_CORE_EXPORT DepthFrame {
   std::ptrdiff_t depth_row_stride_ = 0;  // bytes, of this view's rows and columns
   std::ptrdiff_t depth_column_stride_ = 0;
   double scale_ = 1.0;
+  bool has_options_ = false;
+  DepthOptions options_;
   const float* xyz_ = nullptr;
   std::size_t point_stride_ = 0;
   const std::uint8_t* mask_ = nullptr;
@@ -144,6 +157,8 @@ class EPCC_CORE_EXPORT DepthFrame {
   std::size_t column_stride_ = 0;
   Projection projection_ = Projection::Perspective;
   bool transposed_ = false;
+  bool closes_round_ = false;
+  const CloudGeometry* geometry_ = nullptr;
 };
 
 // Inline, for they are called once a pixel.
@@ -159,6 +174,7 @@ inline bool DepthFrame::sensorPoint(int row, int column, double& x, double& y, d
     y = z * ((image_row - camera_.cy) / camera_.fy);
     return true;
   }
+  if (geometry_ != nullptr) return posedPoint(row, column, x, y, z);
   const float* p = xyz_ + pixel * point_stride_;
   if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) return false;
   x = static_cast<double>(p[0]);
@@ -191,13 +207,11 @@ inline bool DepthFrame::point(int row, int column, Eigen::Vector3d& point) const
   double x, y, z;
   if (!sensorPoint(row, column, x, y, z)) return false;
   point = Eigen::Vector3d(x, y, z);
+  if (geometry_ != nullptr) point = geometry_->pose.axes * point + geometry_->pose.origin;
   return true;
 }
 
-/// Finds out what kind of measurement an organized cloud is: along the columns of a perspective one x/z is constant,
-/// along those of a spherical one the azimuth atan2(y, x). A perspective cloud most of whose points have z < 0 looks
-/// backward. Clouds with too few points count as perspective. Looks at 64 columns and 64 pairs of points in each at
-/// most.
+/// The projection of findGeometry(): what a cloud was measured with, whatever its frame is.
 EPCC_CORE_EXPORT Projection detectProjection(const float* xyz, std::size_t stride, int width, int height);
 
 }  // namespace epcc

@@ -4,13 +4,24 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace epcc {
 
+/// How the values of a depth image are to be read, where it is not as DepthView says.
+struct DepthOptions {
+  bool is_distance = false;       ///< values are lengths of the rays, as some renderers write them, instead of depths
+  std::optional<double> invalid;  ///< one more value of the image, in its units, that stands for nothing measured
+  double min_depth = 0.0;         ///< depths that are nearer or farther are invalid, metres
+  double max_depth = std::numeric_limits<double>::infinity();
+};
+
 /// Depth image of height x width values in the caller's memory, row by row. Nothing is copied or owned: the memory must
 /// outlive the call that reads it. T is float (metres unless `scale` says otherwise; <= 0, NaN and Inf are invalid) or
-/// std::uint16_t (millimetres unless `scale` says otherwise; 0 is invalid).
+/// std::uint16_t (millimetres unless `scale` says otherwise; 0 is invalid, and so is 65535, beyond which there is no
+/// number).
 ///
 ///     // cv::Mat m, CV_16UC1 in millimetres
 ///     DepthView<std::uint16_t>{m.ptr<std::uint16_t>(), m.cols, m.rows, (std::ptrdiff_t)m.step}

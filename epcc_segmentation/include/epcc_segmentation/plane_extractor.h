@@ -49,8 +49,9 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   void setSensorAuto();
 
   /// Segments one frame. Returns true on success; otherwise the result has no planes (all labels 0, or no labels if
-  /// memory ran out) and status() and error() say why: invalid parameters or sensor model, an unusable frame, a row
-  /// scan of a spherical scan, no memory. A frame without a single valid pixel is no error. Nothing is thrown.
+  /// memory ran out) and status() and error() say why: invalid parameters or sensor model, an unusable frame, a cloud
+  /// whose geometry is unknown, a row scan of a spherical scan, no memory. Planes and segments are in the frame of the
+  /// cloud that was given. A frame without a single valid pixel is no error. Nothing is thrown.
   bool extract(const DepthFrame& frame, PlaneSegmentation& result);
 
   Status status() const { return status_; }
@@ -66,6 +67,7 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   struct Workspace;
   bool fail(Status status, const std::string& error, PlaneSegmentation& result);
   bool check(const DepthFrame& frame, PlaneSegmentation& result);
+  void extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result);
   int extractMetric(const DepthFrame& frame, PlaneSegmentation& result);
   int extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result);
   void measureSensor(const DepthFrame& frame);

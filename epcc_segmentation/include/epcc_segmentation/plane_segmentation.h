@@ -10,9 +10,9 @@
 
 namespace epcc {
 
-/// One plane, in the sensor's frame and in metres.
+/// One plane, in metres and in the sensor's frame, or in that of a cloud that is not in the sensor's (CloudGeometry).
 struct Plane {
-  /// (a, b, c, d): a x + b y + c z + d = 0, unit normal towards the sensor (d >= 0).
+  /// (a, b, c, d): a x + b y + c z + d = 0, unit normal towards the sensor (d >= 0 if that is at the origin).
   Vector4 coefficients = Vector4::Zero();
   /// Covariance of (a, b, c, d) from the fit's residuals and the sensor's correlation length.
   Matrix4 coefficients_covariance = Matrix4::Zero();

@@ -10,6 +10,7 @@ namespace epcc {
 /// built with -mavx would see another size than the library: these have one layout everywhere.
 using Vector2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 using Vector3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
+using Vector3f = Eigen::Matrix<float, 3, 1, Eigen::DontAlign>;
 using Vector4 = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
 using Matrix2 = Eigen::Matrix<double, 2, 2, Eigen::DontAlign>;
 using Matrix3 = Eigen::Matrix<double, 3, 3, Eigen::DontAlign>;

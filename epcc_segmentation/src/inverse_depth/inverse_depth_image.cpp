@@ -41,6 +41,7 @@ void InverseDepthImage::read(const DepthFrame& frame, int threads, int stride) {
   width = frame.width();
   height = frame.height();
   planar_rows = isPerspective(frame.projection());
+  closes_round = frame.closesRound();
   w.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   across.assign(static_cast<std::size_t>(width), 0.0);
   forward.assign(static_cast<std::size_t>(width), planar_rows ? 1.0 : 0.0);
@@ -162,6 +163,7 @@ void InverseDepthImage::sample(const InverseDepthImage& image, int stride, int t
   width = sampleCount(image.width, stride);
   height = sampleCount(image.height, stride);
   planar_rows = image.planar_rows;
+  closes_round = image.closes_round;
   sampleCoordinates(image.across, width, stride, across);
   sampleCoordinates(image.forward, width, stride, forward);
   sampleCoordinates(image.along, height, stride, along);

@@ -38,6 +38,7 @@ struct InverseDepthImage {
   int width = 0;
   int height = 0;
   bool planar_rows = true;              ///< rows are planar sections too (false for spherical scans)
+  bool closes_round = false;            ///< the last column adjoins the first
   std::vector<float> w;                 ///< row-major, 0 = invalid
   std::vector<float> weight;            ///< 1/sigma_w^2 of each; meaningless where w is 0
   std::vector<double> across, forward;  ///< per column

@@ -70,6 +70,7 @@ class ContactSearch {
       for (const int column : memory_.above_gap)
         meetAcross(row, column, lastRow(column), column, static_cast<std::size_t>(image_.width));
       for (const int column : memory_.ends) lastRow(column) = row - 1;
+      if (image_.closes_round) meetRound(row);
       std::swap(memory_.upper_labelled, memory_.borders.labelled);
     }
   }
@@ -144,6 +145,30 @@ class ContactSearch {
     const std::size_t first = image_.index(other_row, other_column), second = image_.index(row, column);
     if (labels_[first] == labels_[second] || seesBehind(first, second, step)) return;
     addContact(row, column, other_row, other_column);
+  }
+
+  /// The first and the last label of a row of a full turn follow each other, too.
+  void meetRound(int row) {
+    const std::int32_t* label = labels_ + image_.index(row, 0);
+    const int width = image_.width;
+    int first = 0, last = width - 1;
+    while (first <= bridge_ && first < last && label[first] == 0) ++first;
+    while (width - 1 - last <= bridge_ && first < last && label[last] == 0) --last;
+    if (label[first] == 0 || label[last] == 0 || label[first] == label[last]) return;
+    if (first + width - last > bridge_ + 1) return;
+    const float farther = std::min(image_.w[image_.index(row, first)], image_.w[image_.index(row, last)]);
+    for (int between = last + 1; between < width; ++between)
+      if (liesBehind(farther, row, between)) return;
+    for (int between = 0; between < first; ++between)
+      if (liesBehind(farther, row, between)) return;
+    addContact(row, first, row, last);
+  }
+
+  bool liesBehind(float farther, int row, int column) const {
+    const std::size_t pixel = image_.index(row, column);
+    const double error = static_cast<double>(farther) - static_cast<double>(image_.w[pixel]);
+    return image_.w[pixel] > 0.0f && error > 0.0 &&
+           error * error * static_cast<double>(image_.weight[pixel]) > residual2_;
   }
 
   /// Something between the two pixels lies farther away than both: a groove or a gap parts them.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/sensor_cloud.h"
 #include "sensor/fitted_blotches.h"
 #include "sensor/image_estimation.h"
 
@@ -64,7 +65,8 @@ SensorEstimate genericEstimate(double longer_side) {
 
 SensorEstimate estimateSensor(const DepthFrame& frame) {
   InverseDepthImage image;
-  if (!frame.empty()) image.read(frame);
+  SensorCloud cloud;
+  if (!frame.empty()) image.read(frame.geometry() == nullptr ? frame : cloud.of(frame, 1));
   return ImageEstimation().whole(image);
 }
 
