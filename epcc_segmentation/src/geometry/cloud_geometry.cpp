@@ -25,11 +25,15 @@ constexpr std::size_t kEnoughPoints = 200;
 constexpr std::size_t kFewestPoints = 32;
 
 // Residuals, in deviations of all rays: 0.01 is 0.3 % of the image's side. A simple pose that is as good as this needs
-// no search, and one that is nearly as good as the best found is taken before it. With more than the last there are no
+// no search, and one that is half as good as the best found is taken before it. With more than the last there are no
 // rays: lenses that were not rectified stay below a third of it.
 constexpr double kClear = 0.003;
-constexpr double kAsGood = 1.5;
+constexpr double kAsGood = 2.0;
 constexpr double kMaxResidual = 0.06;
+constexpr double kAsBefore = 1.3;  // residual of the pose of the last cloud
+constexpr double kSlack = 3e-4;
+// The place of a scanner, in sizes of the cloud from its middle: from farther its rays are parallel.
+constexpr double kFarthestScanner = 30.0;
 
 // No camera's picture lies farther away than this in the middle, metres, and no scanner's: then the unit is the
 // millimetre.
@@ -76,6 +80,8 @@ std::string CloudOptions::validate() const {
 struct GeometryFinder::Memory {
   PointLattice lattice;
   RayTables tables;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // of the lattice's points
+  double size = 0.0;                                  // their mean distance from it
   std::optional<Choice> last;
   CloudGeometry geometry;
 
@@ -86,8 +92,10 @@ struct GeometryFinder::Memory {
   void considerAxes(const SensorPose& from, const CloudOptions& options, Choice& best);
   void considerSearch(const CloudOptions& options, Choice& best);
   void considerScanners(const CloudOptions& options, Choice& best);
+  bool isAsBefore(const CloudOptions& options);
   void orient(Choice& choice) const;
   void describe(const CloudView& cloud, const CloudOptions& options, const Choice& best);
+  void measureSize();
   double medianDistance(const PoseHypothesis& pose) const;
 };
 
@@ -95,8 +103,18 @@ void GeometryFinder::Memory::consider(Choice choice, const CloudOptions& options
   if (options.sensor != CloudOptions::Sensor::Any &&
       (options.sensor == CloudOptions::Sensor::Scanner) != choice.pose.is_scanner)
     return;
+  if (choice.pose.is_scanner && (choice.pose.origin - middle).norm() > kFarthestScanner * size) return;
   choice.residual = tables.residual(lattice, choice.pose);
   if (kAsGood * choice.residual < best.residual) best = choice;
+}
+
+/// What was found in the last cloud explains this one as well.
+bool GeometryFinder::Memory::isAsBefore(const CloudOptions& options) {
+  Choice now = *last, best;
+  consider(now, options, best);
+  if (!(best.residual <= kAsBefore * last->residual + kSlack)) return false;
+  last->residual = best.residual;
+  return true;
 }
 
 /// The axes of a frame in any order.
@@ -171,6 +189,14 @@ void GeometryFinder::Memory::orient(Choice& choice) const {
   if (along < 0.0) choice.pose.axes.col(1) *= -1.0;
 }
 
+void GeometryFinder::Memory::measureSize() {
+  const auto n = static_cast<double>(lattice.points().size());
+  middle.setZero();
+  for (const PointLattice::Point& point : lattice.points()) middle += point.p / n;
+  size = 0.0;
+  for (const PointLattice::Point& point : lattice.points()) size += (point.p - middle).norm() / n;
+}
+
 double GeometryFinder::Memory::medianDistance(const PoseHypothesis& pose) const {
   std::vector<double> distances;
   for (const PointLattice::Point& point : lattice.points()) distances.push_back((point.p - pose.origin).norm());
@@ -190,14 +216,19 @@ void GeometryFinder::Memory::choose(const CloudView& cloud, const CloudOptions& 
   if (options.projection) best = plainChoice(*options.projection);
   if (options.projection || lattice.points().size() < kFewestPoints)  // known, or too few to tell
     return describe(cloud, options, best);
+  measureSize();
   for (const Projection projection : {Projection::Perspective, Projection::PerspectiveBackward, Projection::Spherical})
     consider(plainChoice(projection), options, best);
-  if (best.residual > kClear && last) consider(*last, options, best);
+  if (best.residual > kClear && last && isAsBefore(options)) {
+    describe(cloud, options, *last);
+    return;
+  }
   if (best.residual > kClear) considerAxes(SensorPose(), options, best);
   if (best.residual > kClear && options.viewpoint) considerAxes(*options.viewpoint, options, best);
   if (best.residual > kClear) considerSearch(options, best);
   orient(best);
-  last = best;
+  last.reset();
+  if (best.residual <= kMaxResidual) last = best;
   describe(cloud, options, best);
 }
 

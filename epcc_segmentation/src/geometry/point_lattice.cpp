@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 
 namespace epcc {
 
@@ -13,6 +15,8 @@ namespace {
 // So often in the lattice, and at least in this share of it, a point is no coincidence of rounded coordinates.
 constexpr std::size_t kMinRepeats = 3;
 constexpr double kMinRepeatedShare = 0.002;
+constexpr std::size_t kMaxMarkers = 4;
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 void spread(int count, int most, std::vector<int>& places) {
   const int n = std::min(count, most);
@@ -20,8 +24,15 @@ void spread(int count, int most, std::vector<int>& places) {
   for (int i = 0; i < n; ++i) places[static_cast<std::size_t>(i)] = static_cast<int>((2L * i + 1) * count / (2L * n));
 }
 
-bool lessThan(const Vector3f& a, const Vector3f& b) {
-  return std::make_tuple(a.x(), a.y(), a.z()) < std::make_tuple(b.x(), b.y(), b.z());
+std::size_t hashOf(const Eigen::Vector3d& p) {
+  std::uint64_t hash = 0;
+  for (int k = 0; k < 3; ++k) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &p(k), sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15;
+    hash ^= hash >> 29;
+  }
+  return hash;
 }
 
 }  // namespace
@@ -49,20 +60,27 @@ void PointLattice::read(const CloudView& cloud, int max_rows, int max_columns, c
   dropRepeated(markers);
 }
 
+// A table with open addressing: places of points that are the first of their kind.
 void PointLattice::dropRepeated(std::vector<Vector3f>& markers) {
-  sorted_.clear();
-  for (const Point& point : points_) sorted_.push_back(point.p.cast<float>());
-  std::sort(sorted_.begin(), sorted_.end(), lessThan);
-  const auto enough =
-      std::max(kMinRepeats, static_cast<std::size_t>(kMinRepeatedShare * static_cast<double>(sorted_.size())));
   markers.clear();
-  for (std::size_t begin = 0, end = 0; begin < sorted_.size(); begin = end) {
-    while (end < sorted_.size() && sorted_[end] == sorted_[begin]) ++end;
-    if (end - begin >= enough) markers.push_back(sorted_[begin]);
+  std::size_t size = 256;
+  while (size < 4 * points_.size()) size *= 2;
+  first_.assign(size, kNone);
+  repeats_.assign(points_.size(), 0);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    std::size_t place = hashOf(points_[i].p) & (size - 1);
+    while (first_[place] != kNone && points_[first_[place]].p != points_[i].p) place = (place + 1) & (size - 1);
+    if (first_[place] == kNone) first_[place] = i;
+    ++repeats_[first_[place]];
   }
+  const auto share = static_cast<std::size_t>(kMinRepeatedShare * static_cast<double>(points_.size()));
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (repeats_[i] >= std::max(kMinRepeats, share)) markers.push_back(points_[i].p.cast<float>());
+  // Many points that stand in several places are coarse numbers, not marks of nothing.
+  if (markers.size() > kMaxMarkers) markers.clear();
   if (markers.empty()) return;
   const auto is_marker = [&](const Point& point) {
-    return std::binary_search(markers.begin(), markers.end(), Vector3f(point.p.cast<float>()), lessThan);
+    return std::any_of(markers.begin(), markers.end(), [&](const Vector3f& m) { return m.cast<double>() == point.p; });
   };
   points_.erase(std::remove_if(points_.begin(), points_.end(), is_marker), points_.end());
 }

@@ -42,7 +42,7 @@ class PointLattice {
 
   std::vector<int> rows_, columns_;
   std::vector<Point> points_;
-  std::vector<Vector3f> sorted_;
+  std::vector<std::size_t> first_, repeats_;
 };
 
 }  // namespace epcc

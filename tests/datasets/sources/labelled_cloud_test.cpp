@@ -116,7 +116,7 @@ TEST_F(LabelledCloud, RealSynpebScansHaveTheirPlanes) {
   EXPECT_GE(scans.size(), 1U);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const LabelledFrame frame = scans.read(i);
-    EXPECT_EQ(frame.projection, Projection::Spherical);
+    EXPECT_EQ(frame.geometry.projection, Projection::Spherical);
     EXPECT_EQ(detectProjection(frame.scan.data(), 3, frame.depth.width, frame.depth.height), Projection::Spherical);
     std::set<std::uint16_t> planes(frame.labels.data.begin(), frame.labels.data.end());
     EXPECT_GE(planes.size(), 10U) << frame.name;

@@ -135,11 +135,38 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   void setParameters(const Parameters& parameters) { parameters_ = parameters; }
   const Parameters& getParameters() const { return parameters_; }
 
-  /// How the cloud was measured. Default, and for std::nullopt: found out from each cloud (detectProjection()).
-  void setProjection(std::optional<Projection> projection) { projection_ = projection; }
-  std::optional<Projection> getProjection() const { return projection_; }
+  /// How the cloud was measured, if it is in the frame that the projection has. Default, and for std::nullopt: found
+  /// out from each cloud (GeometryFinder), whatever its frame is; the cloud's sensor_origin_ and sensor_orientation_ are
+  /// tried, too. A cloud that neither a camera nor a scanner sees so gives Status::UnknownGeometry.
+  void setProjection(std::optional<Projection> projection) { cloud_options_.projection = projection; }
+  std::optional<Projection> getProjection() const { return cloud_options_.projection; }
   /// The projection the last call worked with.
-  Projection getUsedProjection() const { return used_projection_; }
+  Projection getUsedProjection() const { return geometry_.projection; }
+  /// What was found out about the last cloud: the sensor's pose, the unit, ...
+  const CloudGeometry& getGeometry() const { return geometry_; }
+
+  /// Only a camera, or only a scanner, is looked for. Default: any.
+  void setSensorKind(CloudOptions::Sensor kind) { cloud_options_.sensor = kind; }
+  CloudOptions::Sensor getSensorKind() const { return cloud_options_.sensor; }
+
+  /// Metres per unit of the coordinates. Default 0: the metre, or the millimetre where metres are impossible, as
+  /// PCL_WARN then says once. Models, centroids, covariances and regions are in units of the cloud, getSegmentation() in
+  /// metres.
+  void setUnit(double metres) { cloud_options_.unit = metres; }
+  double getUnit() const { return cloud_options_.unit; }
+
+  /// Points nearer or farther are invalid: depth of a camera, range of a scanner, metres. Default: all are valid.
+  void setDepthRange(double nearest, double farthest) {
+    cloud_options_.min_depth = nearest;
+    cloud_options_.max_depth = farthest;
+  }
+  double getMinDepth() const { return cloud_options_.min_depth; }
+  double getMaxDepth() const { return cloud_options_.max_depth; }
+
+  /// Points all of whose coordinates are this are invalid, too. Points that many pixels have in common need not be
+  /// named.
+  void setInvalidValue(std::optional<float> value) { cloud_options_.invalid = value; }
+  std::optional<float> getInvalidValue() const { return cloud_options_.invalid; }
 
   /// True moves the contour points of planar regions orthogonally onto their plane (Eq. 28). Default false:
   /// they stay where they were measured.
@@ -247,6 +274,11 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   Status checkInput(std::string& what) const;
   bool report(const char* method, Status status, const std::string& what);
 
+  /// How the cloud was measured; says so where the unit is a guess.
+  void findGeometry();
+  /// In units of the cloud.
+  Plane inCloudUnits(const Plane& plane) const;
+
   /// The points given by setIndices() as a mask, or nullptr if it was not called.
   const std::uint8_t* updateMask();
 
@@ -257,17 +289,19 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
 
   Parameters parameters_;
   PlaneExtractor extractor_;  // with the sensor model
-  std::optional<Projection> projection_;
+  CloudOptions cloud_options_;
+  GeometryFinder finder_;
   bool project_points_ = false;
   double angular_threshold_ = 0.05235987755982989;  // 3 degrees, PCL's default, like those below
   double distance_threshold_ = 0.02;
   double maximum_curvature_ = 0.001;
   bool inverse_depth_set_ = false;  // by a setter that the paper mode does not read
+  bool unit_warned_ = false;
   unsigned warned_ = 0;             // a bit for each call without effect
 
   std::vector<std::uint8_t> mask_;
   PlaneSegmentation segmentation_;
-  Projection used_projection_ = Projection::Perspective;
+  CloudGeometry geometry_;
   Status status_ = Status::NoInput;
   std::string error_;
 };

@@ -30,7 +30,8 @@ void EPCCSegmentation<PointT>::segment(std::vector<pcl::ModelCoefficients>& mode
     copyInliers(inlier_indices);
     centroids.clear();
     covariances.clear();
-    for (const Plane& plane : segmentation_.planes) {
+    for (const Plane& in_metres : segmentation_.planes) {
+      const Plane plane = inCloudUnits(in_metres);
       centroids.push_back(plane.centroid.homogeneous().template cast<float>());
       covariances.push_back(plane.points_covariance.template cast<float>());
     }
@@ -111,7 +112,7 @@ void EPCCSegmentation<PointT>::copyRegions(PlanarRegions& regions,
   if (boundary_indices != nullptr) boundary_indices->clear();
   for (std::size_t k = 0; k < contours.size(); ++k) {
     const PixelContour outline = contours[k].empty() ? PixelContour() : contours[k].front();
-    regions.push_back(buildPlanarRegion(segmentation_.planes[k], outline, *input_, project_points_));
+    regions.push_back(buildPlanarRegion(inCloudUnits(segmentation_.planes[k]), outline, *input_, project_points_));
     if (boundary_indices == nullptr) continue;
     pcl::PointIndices boundary;
     boundary.header = input_->header;

@@ -111,12 +111,40 @@ bool EPCCSegmentation<PointT>::compute(const char* method) {
   const auto height = static_cast<int>(input_->height);
   const float* points = &input_->points.front().x;
   constexpr std::size_t kStride = sizeof(PointT) / sizeof(float);
-  used_projection_ = projection_ ? *projection_ : detectProjection(points, kStride, width, height);
-  const DepthFrame frame =
-      DepthFrame::fromPoints(points, kStride, width, height, used_projection_).masked(updateMask());
+  findGeometry();
+  const DepthFrame frame = DepthFrame::fromPoints(points, kStride, width, height, geometry_).masked(updateMask());
   extractor_.setParameters(parameters_);
   extractor_.extract(frame, segmentation_);
   return report(method, extractor_.status(), extractor_.error());
+}
+
+template <typename PointT>
+void EPCCSegmentation<PointT>::findGeometry() {
+  CloudOptions options = cloud_options_;
+  const Eigen::Vector3f origin = input_->sensor_origin_.template head<3>();
+  if (!origin.isZero() || !input_->sensor_orientation_.matrix().isIdentity()) {
+    options.viewpoint = SensorPose();
+    options.viewpoint->origin = origin.template cast<double>();
+    options.viewpoint->axes = input_->sensor_orientation_.normalized().toRotationMatrix().template cast<double>();
+    if (!options.viewpoint->origin.allFinite() || !options.viewpoint->axes.allFinite()) options.viewpoint.reset();
+  }
+  geometry_ = finder_.find(&input_->points.front().x, sizeof(PointT) / sizeof(float), static_cast<int>(input_->width),
+                           static_cast<int>(input_->height), options);
+  if (!geometry_.unit_is_guessed || unit_warned_) return;
+  unit_warned_ = true;
+  PCL_WARN("[epcc::%s::setUnit] the unit is taken as the millimetre: as metres the points would be too far away.\n",
+           getClassName().c_str());
+}
+
+template <typename PointT>
+Plane EPCCSegmentation<PointT>::inCloudUnits(const Plane& plane) const {
+  const double unit = geometry_.unit;
+  Plane own = plane;
+  own.coefficients(3) /= unit;
+  own.centroid /= unit;
+  own.points_covariance /= unit * unit;
+  own.rms /= unit;
+  return own;
 }
 
 template <typename PointT>
@@ -178,7 +206,7 @@ template <typename PointT>
 void EPCCSegmentation<PointT>::copyModels(std::vector<pcl::ModelCoefficients>& model_coefficients) const {
   model_coefficients.resize(segmentation_.planes.size());
   for (std::size_t k = 0; k < model_coefficients.size(); ++k) {
-    const Eigen::Vector4f coefficients = segmentation_.planes[k].coefficients.template cast<float>();
+    const Eigen::Vector4f coefficients = inCloudUnits(segmentation_.planes[k]).coefficients.template cast<float>();
     model_coefficients[k].header = input_->header;
     model_coefficients[k].values.assign(coefficients.data(), coefficients.data() + 4);
   }
