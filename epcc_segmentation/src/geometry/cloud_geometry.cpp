@@ -23,13 +23,15 @@ constexpr int kFewLines = 32;
 constexpr int kManyLines = 128;
 constexpr std::size_t kEnoughPoints = 200;
 constexpr std::size_t kFewestPoints = 32;
+constexpr std::size_t kFewestLines = 4;
 
 // Residuals, in deviations of all rays: 0.01 is 0.3 % of the image's side. A simple pose that is as good as this needs
 // no search, and one that is half as good as the best found is taken before it. With more than the last there are no
-// rays: lenses that were not rectified stay below a third of it.
+// rays: wide lenses that were not rectified and scans sorted into bins of angle have half of it, what is no scan three
+// times as much.
 constexpr double kClear = 0.003;
 constexpr double kAsGood = 2.0;
-constexpr double kMaxResidual = 0.06;
+constexpr double kMaxResidual = 0.12;
 constexpr double kAsBefore = 1.3;  // residual of the pose of the last cloud
 constexpr double kSlack = 3e-4;
 // The place of a scanner, in sizes of the cloud from its middle: from farther its rays are parallel.
@@ -81,7 +83,7 @@ struct GeometryFinder::Memory {
   PointLattice lattice;
   RayTables tables;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // of the lattice's points
-  double size = 0.0;                                  // their mean distance from it
+  double size = 0.0;                                 // their mean distance from it
   std::optional<Choice> last;
   CloudGeometry geometry;
 
@@ -92,6 +94,11 @@ struct GeometryFinder::Memory {
   void considerAxes(const SensorPose& from, const CloudOptions& options, Choice& best);
   void considerSearch(const CloudOptions& options, Choice& best);
   void considerScanners(const CloudOptions& options, Choice& best);
+  /// There are enough points, rows and columns to tell a camera from a scanner.
+  bool tellsGeometry() const {
+    return lattice.points().size() >= kFewestPoints && lattice.rows().size() >= kFewestLines &&
+           lattice.columns().size() >= kFewestLines;
+  }
   bool isAsBefore(const CloudOptions& options);
   void orient(Choice& choice) const;
   void describe(const CloudView& cloud, const CloudOptions& options, const Choice& best);
@@ -214,8 +221,7 @@ void GeometryFinder::Memory::choose(const CloudView& cloud, const CloudOptions& 
   Choice best =
       plainChoice(options.sensor == CloudOptions::Sensor::Scanner ? Projection::Spherical : Projection::Perspective);
   if (options.projection) best = plainChoice(*options.projection);
-  if (options.projection || lattice.points().size() < kFewestPoints)  // known, or too few to tell
-    return describe(cloud, options, best);
+  if (options.projection || !tellsGeometry()) return describe(cloud, options, best);
   measureSize();
   for (const Projection projection : {Projection::Perspective, Projection::PerspectiveBackward, Projection::Spherical})
     consider(plainChoice(projection), options, best);
@@ -241,7 +247,7 @@ void GeometryFinder::Memory::describe(const CloudView& cloud, const CloudOptions
   geometry.min_depth = options.min_depth;
   geometry.max_depth = options.max_depth;
   geometry.grid = ScanGrid();
-  const bool has_points = lattice.points().size() >= kFewestPoints;
+  const bool has_points = tellsGeometry();
   if (has_points && !options.projection && !(best.residual <= kMaxResidual)) {
     geometry.status = Status::UnknownGeometry;
     geometry.problem = "no camera and no scanner sees these points in the order of the cloud's rows and columns";
