@@ -304,7 +304,7 @@ TEST(ScannerGeometry, ShiftedRingsOfLessThanATurnLoseNothing) {
   const Found found = segment(cloud);
   ASSERT_EQ(found.error, "");
   EXPECT_EQ(found.geometry.grid.margin, 12);
-  expectTruth(cloud, found.result, 3);
+  expectTruth(cloud, found.result, 2);
 }
 
 TEST(ScannerGeometry, TheViewpointIsTriedAndNeedNotBeRight) {
