@@ -38,7 +38,7 @@ FrameScore scoreFrame(const LabelledFrame& frame, const Parameters& parameters) 
   if (!sensor || !score.problem.empty()) return score;
   PlaneExtractor extractor(parameters, *sensor);
   PlaneSegmentation result;
-  if (!extractor.extract(DepthFrame::fromDepth(frame.depth.data.data(), frame.camera.camera), result)) {
+  if (!extractor.extract(frameView(frame), result)) {
     score.problem = extractor.error();
     return score;
   }

@@ -84,6 +84,8 @@ struct GeometryFinder::Memory {
   RayTables tables;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // of the lattice's points
   double size = 0.0;                                 // their mean distance from it
+  std::vector<double> distances;
+  std::vector<Vector3f> other_markers;
   std::optional<Choice> last;
   CloudGeometry geometry;
 
@@ -103,7 +105,7 @@ struct GeometryFinder::Memory {
   void orient(Choice& choice) const;
   void describe(const CloudView& cloud, const CloudOptions& options, const Choice& best);
   void measureSize();
-  double medianDistance(const PoseHypothesis& pose) const;
+  double medianDistance(const PoseHypothesis& pose);
 };
 
 void GeometryFinder::Memory::consider(Choice choice, const CloudOptions& options, Choice& best) {
@@ -204,8 +206,8 @@ void GeometryFinder::Memory::measureSize() {
   for (const PointLattice::Point& point : lattice.points()) size += (point.p - middle).norm() / n;
 }
 
-double GeometryFinder::Memory::medianDistance(const PoseHypothesis& pose) const {
-  std::vector<double> distances;
+double GeometryFinder::Memory::medianDistance(const PoseHypothesis& pose) {
+  distances.clear();
   for (const PointLattice::Point& point : lattice.points()) distances.push_back((point.p - pose.origin).norm());
   if (distances.empty()) return 0.0;
   const auto at = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
@@ -259,9 +261,8 @@ void GeometryFinder::Memory::describe(const CloudView& cloud, const CloudOptions
   geometry.pose.axes = best.pose.axes;
   geometry.pose.origin = geometry.unit * best.pose.origin;
   if (best.pose.is_scanner && has_points && !options.projection) {
-    std::vector<Vector3f> markers;
     lattice.read(cloud, best.pose.rings_are_columns ? kFewLines : kManyLines,
-                 best.pose.rings_are_columns ? kManyLines : kFewLines, options.invalid, markers);
+                 best.pose.rings_are_columns ? kManyLines : kFewLines, options.invalid, other_markers);
     if (tables.residual(lattice, best.pose) <= kMaxResidual)
       geometry.grid = scanGrid(lattice, cloud, best.pose, tables);
     geometry.grid.rings_are_columns = best.pose.rings_are_columns;

@@ -46,6 +46,16 @@ double RayTables::quantile() {
   return *at;
 }
 
+/// Brings values group by group: each to its place, as many as come before.
+void RayTables::sortByGroup(std::vector<Value>& values, std::size_t groups) {
+  starts_.assign(groups + 1, 0);
+  for (const Value& v : values) ++starts_[static_cast<std::size_t>(v.group) + 1];
+  for (std::size_t g = 0; g < groups; ++g) starts_[g + 1] += starts_[g];
+  sorted_.resize(values.size());
+  for (const Value& v : values) sorted_[starts_[static_cast<std::size_t>(v.group)]++] = v;
+  values.swap(sorted_);
+}
+
 /// Values come group by group.
 double RayTables::tableResidual(std::vector<Value>& values, std::size_t groups) {
   table_.assign(groups, kNan);
@@ -80,7 +90,7 @@ double RayTables::cameraResidual(const PointLattice& lattice, const PoseHypothes
     return kNoRays;
   const double of_rows = tableResidual(along_, lattice.rows().size());
   if (!(of_rows < 0.5)) return of_rows;
-  std::stable_sort(across_.begin(), across_.end(), [](const Value& a, const Value& b) { return a.group < b.group; });
+  sortByGroup(across_, lattice.columns().size());
   return std::max(of_rows, tableResidual(across_, lattice.columns().size()));
 }
 
@@ -96,7 +106,7 @@ double RayTables::scannerResidual(const PointLattice& lattice, const PoseHypothe
   }
   const std::size_t rings = pose.rings_are_columns ? lattice.columns().size() : lattice.rows().size();
   const std::size_t columns = pose.rings_are_columns ? lattice.rows().size() : lattice.columns().size();
-  std::stable_sort(along_.begin(), along_.end(), [](const Value& a, const Value& b) { return a.group < b.group; });
+  sortByGroup(along_, rings);
   const double of_rings = tableResidual(along_, rings);
   ring_elevation_ = table_;
   if (!(of_rings < 0.5)) return of_rings;

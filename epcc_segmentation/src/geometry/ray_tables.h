@@ -49,12 +49,14 @@ class RayTables {
   };
   double cameraResidual(const PointLattice& lattice, const PoseHypothesis& pose);
   double scannerResidual(const PointLattice& lattice, const PoseHypothesis& pose);
+  void sortByGroup(std::vector<Value>& values, std::size_t groups);
   double tableResidual(std::vector<Value>& values, std::size_t groups);
   double azimuthResidual(std::size_t columns, std::size_t rings);
   void meanAzimuths(bool of_rings, std::vector<double>& table);
   double quantile();
 
-  std::vector<Value> across_, along_;
+  std::vector<Value> across_, along_, sorted_;
+  std::vector<std::size_t> starts_;  // of the groups
   std::vector<double> group_, table_, residuals_;
   std::vector<double> column_azimuth_, ring_azimuth_, ring_elevation_;
   std::vector<MeanAngle> means_;

@@ -136,8 +136,8 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   const Parameters& getParameters() const { return parameters_; }
 
   /// How the cloud was measured, if it is in the frame that the projection has. Default, and for std::nullopt: found
-  /// out from each cloud (GeometryFinder), whatever its frame is; the cloud's sensor_origin_ and sensor_orientation_ are
-  /// tried, too. A cloud that neither a camera nor a scanner sees so gives Status::UnknownGeometry.
+  /// out from each cloud (GeometryFinder), whatever its frame is; the cloud's sensor_origin_ and sensor_orientation_
+  /// are tried, too. A cloud that neither a camera nor a scanner sees so gives Status::UnknownGeometry.
   void setProjection(std::optional<Projection> projection) { cloud_options_.projection = projection; }
   std::optional<Projection> getProjection() const { return cloud_options_.projection; }
   /// The projection the last call worked with.
@@ -150,8 +150,8 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   CloudOptions::Sensor getSensorKind() const { return cloud_options_.sensor; }
 
   /// Metres per unit of the coordinates. Default 0: the metre, or the millimetre where metres are impossible, as
-  /// PCL_WARN then says once. Models, centroids, covariances and regions are in units of the cloud, getSegmentation() in
-  /// metres.
+  /// PCL_WARN then says once. Models, centroids, covariances and regions are in units of the cloud, getSegmentation()
+  /// in metres.
   void setUnit(double metres) { cloud_options_.unit = metres; }
   double getUnit() const { return cloud_options_.unit; }
 
@@ -297,7 +297,7 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   double maximum_curvature_ = 0.001;
   bool inverse_depth_set_ = false;  // by a setter that the paper mode does not read
   bool unit_warned_ = false;
-  unsigned warned_ = 0;             // a bit for each call without effect
+  unsigned warned_ = 0;  // a bit for each call without effect
 
   std::vector<std::uint8_t> mask_;
   PlaneSegmentation segmentation_;
