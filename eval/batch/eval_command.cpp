@@ -86,7 +86,7 @@ void EvalRun::score(const FrameJobs& jobs, const FrameDone& done, ExperimentSumm
     progress.show(++frames, jobs.size());
   };
   progress.show(0, jobs.size());
-  runExperiment(jobs, evalMethods(options_), {options_.noise, options_.jobs}, done, in_order);
+  runExperiment(jobs, evalMethods(options_), {options_.noise, options_.jobs, options_.reading}, done, in_order);
   progress.clear();
 }
 

@@ -16,6 +16,7 @@
 #include "eval/batch/eval_methods.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/program/reading_arguments.h"
 
 namespace epcc {
 namespace {
@@ -37,6 +38,7 @@ struct RawOptions {
   std::vector<std::string> predictions;
   std::string methods;
   std::string shard = "1/1";
+  ReadingArguments reading;
 };
 
 void setMethods(const std::string& list, EvalOptions& options) {
@@ -101,6 +103,9 @@ void setOptions(const RawOptions& raw, EvalOptions& options) {
   const std::optional<Shard> shard = parseShard(raw.shard);
   require(shard.has_value(), "--shard: '" + raw.shard + "' is not I/N with I from 1 to N");
   options.shard = *shard;
+  std::string misread;
+  options.reading = readingOptions(raw.reading, misread);
+  require(misread.empty(), misread);
   keepPredictions(options);
   options.jobs = threadsFor(options.jobs);
   if (options.noise.empty()) return;
@@ -135,6 +140,7 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
                  "So many first, worst and best frames of each data set in report.html (2)")
       ->type_name("N")
       ->check(CLI::Range(0, 1000));
+  addReadingArguments(app, raw.reading);
   app.add_flag("--strict", options.strict, "Exit code 3 if any frame could not be scored");
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/sources/reading_options.h"
 #include "eval/batch/shard.h"
 
 namespace epcc {
@@ -23,6 +24,7 @@ struct EvalOptions {
   std::vector<std::string> methods;   ///< of segmenterNames(), each once
   std::vector<Predictions> predictions;
   std::string noise;  ///< sensor model as on the command line; empty: the frame's own, else auto
+  ReadingOptions reading;
   std::string out;    ///< folder; empty: the tables are printed only
   int jobs = 1;
   Shard shard;          ///< the part of the frames to be done

@@ -14,6 +14,7 @@
 #include "datasets/support/text_hash.h"
 #include "eval/batch/eval_methods.h"
 #include "eval/program/command_line.h"
+#include "eval/program/reading_arguments.h"
 
 namespace epcc {
 
@@ -55,6 +56,7 @@ RunDescription describeRun(const EvalOptions& options, const std::vector<std::un
   for (const Method& method : evalMethods(options)) run.methods.push_back(method.name);
   for (const Predictions& p : options.predictions) run.predictions.push_back(p.name + "=" + p.folder);
   run.noise = options.noise;
+  run.reading = readingText(options.reading);
   run.overlays = options.overlays;
   run.pictures = static_cast<std::size_t>(options.pictures);
   run.shard = options.shard;
@@ -71,8 +73,9 @@ void writeRunDescription(const std::string& out, const RunDescription& run) {
   Json json = {{"version", kVersion},       {"program", run.program},
                {"methods", run.methods},    {"predictions", run.predictions},
                {"noise", run.noise},        {"overlays", run.overlays},
-               {"pictures", run.pictures},  {"shard", run.shard.text()},
-               {"datasets", Json::array()}, {"unusable", run.unusable}};
+               {"reading", run.reading},    {"pictures", run.pictures},
+               {"shard", run.shard.text()}, {"datasets", Json::array()},
+               {"unusable", run.unusable}};
   for (const RunDataset& dataset : run.datasets)
     json["datasets"].push_back(
         {{"name", dataset.name}, {"frames", dataset.frames}, {"names_hash", dataset.names_hash}});
@@ -91,6 +94,7 @@ RunDescription readRunDescription(const std::string& out) {
     run.methods = json.at("methods").get<Words>();
     run.predictions = json.at("predictions").get<Words>();
     run.noise = json.at("noise");
+    run.reading = json.value("reading", "");
     run.overlays = json.at("overlays");
     run.pictures = json.at("pictures");
     const std::optional<Shard> shard = parseShard(json.at("shard"));
@@ -107,11 +111,15 @@ RunDescription readRunDescription(const std::string& out) {
 
 std::string optionDifference(const RunDescription& there, const RunDescription& here) {
   const auto noise = [](const RunDescription& run) { return run.noise.empty() ? "the frames' own" : run.noise; };
+  const auto reading = [](const RunDescription& run) {
+    return run.reading.empty() ? "read without options" : "read with " + run.reading;
+  };
   const auto overlays = [](const RunDescription& run) { return std::string(run.overlays ? "on" : "off"); };
   return joinedDifferences({differs("the version", there.program, here.program),
                             differs("--methods", list(there.methods), list(here.methods)),
                             differs("--predictions", list(there.predictions), list(here.predictions)),
                             differs("--noise", noise(there), noise(here)),
+                            differs("the input", reading(there), reading(here)),
                             differs("--overlays", overlays(there), overlays(here))});
 }
 

@@ -25,6 +25,7 @@ struct RunDescription {
   std::vector<std::string> methods;      ///< in the order of the records
   std::vector<std::string> predictions;  ///< NAME=DIR, part of the methods too
   std::string noise;                     ///< as on the command line
+  std::string reading;                   ///< options of the input as on the command line
   bool overlays = false;
   std::size_t pictures = 0;  ///< of each kind and data set in the report; no result depends on it
   Shard shard;

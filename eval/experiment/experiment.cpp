@@ -80,6 +80,7 @@ FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& method
     result.records.push_back({job.source->dataset(), job.source->name(job.index), method.name, {}, {}, {}});
   try {
     result.frame = readScorable(job);
+    readAs(result.frame, options.reading);
     result.segmentations.resize(methods.size());
     const DepthFrame view = frameView(result.frame);
     const SensorModel sensor =

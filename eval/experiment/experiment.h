@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "baselines/registry.h"
+#include "datasets/sources/reading_options.h"
 #include "eval/experiment/frame_jobs.h"
 #include "eval/measures/frame_measures.h"
 
@@ -49,6 +50,7 @@ struct FrameResult {
 struct ExperimentOptions {
   std::string noise;  ///< sensor model, as frameSensor() takes it; empty: the frame's "noise", else auto
   int jobs = 1;       ///< threads, at least 1
+  ReadingOptions reading = {};
 };
 
 /// Reads a frame and runs every method on it. Errors end up in the records; nothing is thrown.

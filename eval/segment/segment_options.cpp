@@ -11,6 +11,7 @@
 #include "epcc_segmentation/parameter_table.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/program/reading_arguments.h"
 #include "eval/segment/parameter_page.h"
 
 namespace epcc {
@@ -30,8 +31,7 @@ struct RawOptions {
   std::optional<double> fx, fy, cx, cy, depth_scale;
   std::string mode = "inverse-depth";
   std::vector<std::string> assignments;
-  std::string projection = "auto";
-  std::string unit;  // empty: not said
+  ReadingArguments reading;
   std::string scan;  // empty: the mode's own
   std::optional<double> line_k_max, plane_k_max, max_gap;
   std::optional<int> min_points;
@@ -100,35 +100,6 @@ void addCameraOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
       if (option != other) option->needs(other);
     }
   }
-}
-
-std::string checkUnit(const std::string& text) {
-  const bool known = text == "m" || text == "cm" || text == "mm";
-  return known ? std::string() : "'" + text + "' is none of 'm', 'cm', 'mm'";
-}
-
-std::string checkProjection(const std::string& text) {
-  const bool known = text == "auto" || text == "camera" || text == "scanner";
-  return known ? std::string() : "'" + text + "' is none of 'auto', 'camera', 'scanner'";
-}
-
-void addInputOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
-  const auto add = [&](const char* name, auto& value, const char* type, const char* text, auto check) {
-    return app.add_option(name, value, text)->type_name(type)->check(check)->group("Input");
-  };
-  add("--projection", raw.projection, "KIND", "What took the clouds: auto | camera | scanner, in any frame (auto)",
-      checkProjection);
-  add("--unit", raw.unit, "m|cm|mm", "Unit of the numbers of clouds (m, or mm if that cannot be) and depth images",
-      checkUnit);
-  add("--min-depth", options.reading.min_depth, "D", "Nearer points are invalid; depth or range, metres",
-      checkPositive);
-  add("--max-depth", options.reading.max_depth, "D", "Farther points are invalid; depth or range, metres",
-      checkPositive);
-  add("--invalid", options.reading.invalid, "VALUE",
-      "Invalid, too: depths of this value, points that have it in x, y and z", checkFinite);
-  app.add_flag("--distance", options.reading.is_distance,
-               "Depth images hold the length of the ray instead of the depth")
-      ->group("Input");
 }
 
 void addMethodOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
@@ -220,10 +191,9 @@ std::string setMethod(const RawOptions& raw, Parameters& parameters) {
 
 // Puts what was typed into the options. Empty if all is well, else what is wrong.
 std::string setOptions(const RawOptions& raw, SegmentOptions& options) {
-  if (!(options.reading.min_depth < options.reading.max_depth)) return "--min-depth is not less than --max-depth";
-  if (raw.projection != "auto")
-    options.reading.sensor = raw.projection == "camera" ? CloudOptions::Sensor::Camera : CloudOptions::Sensor::Scanner;
-  if (!raw.unit.empty()) options.reading.unit = raw.unit == "m" ? 1.0 : raw.unit == "cm" ? 0.01 : 0.001;
+  std::string misread;
+  options.reading = readingOptions(raw.reading, misread);
+  if (!misread.empty()) return misread;
   if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
   const std::string problem = setMethod(raw, options.parameters);
   options.parameters.line_segments |=
@@ -245,7 +215,7 @@ std::optional<int> parseSegmentOptions(int argc, const char* const* argv, Segmen
                         "Print every parameter with default, range and effect, and exit");
   app.add_option("INPUT", options.inputs, "Files and folders to segment")->type_name("")->required()->check(checkPath);
   addCameraOptions(app, options, raw);
-  addInputOptions(app, options, raw);
+  addReadingArguments(app, raw.reading);
   addMethodOptions(app, options, raw);
   addOutputOptions(app, options);
   return parseCommandLine(app, argc, argv, out, err, [&] {

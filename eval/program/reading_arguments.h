@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options of the command lines that say what the numbers of an input are.
+#pragma once
+
+#include <string>
+
+#include "datasets/sources/reading_options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace epcc {
+
+/// --projection, --unit, --min-depth, --max-depth, --invalid and --distance as typed.
+struct ReadingArguments {
+  std::string projection = "auto";
+  std::string unit;  ///< empty: not said
+  ReadingOptions options;
+};
+
+/// Adds them in a group of their own; `arguments` must outlive the reading of the command line.
+void addReadingArguments(CLI::App& app, ReadingArguments& arguments);
+
+/// What they say, once the command line was read; `problem` is empty if all is well.
+ReadingOptions readingOptions(const ReadingArguments& arguments, std::string& problem);
+
+/// The options as they are typed, empty if none was.
+std::string readingText(const ReadingOptions& options);
+
+}  // namespace epcc
