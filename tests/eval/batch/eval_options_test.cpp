@@ -59,13 +59,27 @@ TEST(EvalOptions, NoiseAndJobs) {
   EXPECT_GE(options.jobs, 1);
 }
 
+TEST(EvalOptions, Input) {
+  EXPECT_TRUE(parse({"frames"}).reading.areDefault());
+  const auto reading = parse({"frames", "--unit", "mm", "--min-depth", "0.5", "--max-depth", "4", "--invalid", "2047",
+                              "--projection", "camera", "--distance"})
+                           .reading;
+  EXPECT_EQ(reading.unit, 0.001);
+  EXPECT_EQ(reading.min_depth, 0.5);
+  EXPECT_EQ(reading.max_depth, 4.0);
+  EXPECT_EQ(reading.invalid, 2047.0);
+  EXPECT_EQ(reading.sensor, CloudOptions::Sensor::Camera);
+  EXPECT_TRUE(reading.is_distance);
+}
+
 class EvalUsage : public EvalToolTest {};
 
 TEST_F(EvalUsage, HelpAndVersion) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* word : {"--methods", "--predictions", "--noise", "--out", "--jobs", "--strict", "--overlays",
-                           "--shard", "--resume", "--seeds", "--pictures", "merge"})
+  for (const char* word :
+       {"--methods", "--predictions", "--noise", "--out", "--jobs", "--strict", "--overlays", "--shard", "--resume",
+        "--seeds", "--pictures", "merge", "--unit", "--projection", "--distance"})
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
   EXPECT_EQ(run({"--version"}).out.rfind("epcc_eval ", 0), 0U);
 }

@@ -66,6 +66,8 @@ TEST_F(EvalResume, AnotherRunIsRefusedAndTheDifferenceNamed) {
   };
   refused({"rooms", "--methods", "omps,epcc"}, "--methods was omps, is omps,epcc");
   refused({"rooms", "--methods", "omps", "--noise", "kinect-v1"}, "--noise was the frames' own, is kinect-v1");
+  refused({"rooms", "--methods", "omps", "--max-depth", "4"},
+          "the input was read without options, is read with --max-depth 4");
   refused({"rooms", "--methods", "omps", "--overlays"}, "--overlays was off, is on");
   refused({"rooms", "--methods", "omps", "--shard", "1/2"}, "--shard was 1/1, is 1/2");
   refused({"rooms", "--methods", "omps", "--predictions", "a=b"}, "--predictions was none, is a=b");
