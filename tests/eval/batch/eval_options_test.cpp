@@ -68,7 +68,7 @@ TEST(EvalOptions, Input) {
   EXPECT_EQ(reading.min_depth, 0.5);
   EXPECT_EQ(reading.max_depth, 4.0);
   EXPECT_EQ(reading.invalid, 2047.0);
-  EXPECT_EQ(reading.sensor, CloudOptions::Sensor::Camera);
+  EXPECT_EQ(reading.sensor, epcc::CloudOptions::Sensor::Camera);
   EXPECT_TRUE(reading.is_distance);
 }
 
