@@ -25,7 +25,7 @@ struct EvalOptions {
   std::vector<Predictions> predictions;
   std::string noise;  ///< sensor model as on the command line; empty: the frame's own, else auto
   ReadingOptions reading;
-  std::string out;    ///< folder; empty: the tables are printed only
+  std::string out;  ///< folder; empty: the tables are printed only
   int jobs = 1;
   Shard shard;          ///< the part of the frames to be done
   bool resume = false;  ///< go on with the results in `out`
