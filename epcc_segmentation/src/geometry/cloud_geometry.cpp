@@ -21,6 +21,7 @@ namespace {
 // the others, are looked at ring by ring.
 constexpr int kFewLines = 32;
 constexpr int kManyLines = 128;
+constexpr int kMostLines = 256;  // where points are few
 constexpr std::size_t kEnoughPoints = 200;
 constexpr std::size_t kFewestPoints = 32;
 constexpr std::size_t kFewestLines = 4;
@@ -218,7 +219,7 @@ double GeometryFinder::Memory::medianDistance(const PoseHypothesis& pose) {
 void GeometryFinder::Memory::choose(const CloudView& cloud, const CloudOptions& options) {
   lattice.read(cloud, kFewLines, kFewLines, options.invalid, geometry.invalid_points);
   for (int lines = 2 * kFewLines;
-       lattice.points().size() < kEnoughPoints && !lattice.isWhole(cloud) && lines < (1 << 16); lines *= 2)
+       lattice.points().size() < kEnoughPoints && !lattice.isWhole(cloud) && lines <= kMostLines; lines *= 2)
     lattice.read(cloud, lines, lines, options.invalid, geometry.invalid_points);
   Choice best =
       plainChoice(options.sensor == CloudOptions::Sensor::Scanner ? Projection::Spherical : Projection::Perspective);
