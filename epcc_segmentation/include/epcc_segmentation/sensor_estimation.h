@@ -11,33 +11,29 @@
 
 namespace epcc {
 
-/// How far the error of a sensor is correlated.
-enum class NoiseClass {
-  White,  ///< structured light, laser: each pixel on its own
-  Mid,    ///< Kinect type: blotches of a few pixels
-  Long    ///< RealSense type: blotches of many pixels
-};
-
 /// What one frame tells of its sensor.
 struct SensorEstimate {
-  NoiseClass noise_class = NoiseClass::Mid;
   double a = 0.0023;                ///< metres, see SensorModel::axial
   double b = 0.0036;                ///< 1/m
   double correlation_length = 4.0;  ///< pixels
+  double blotch_length = 0.0;       ///< radius of the blotches that were seen, pixels
+  double blotch_share = 0.0;        ///< of the error's variance; the rest is grain, which differs from pixel to pixel
+  double effective_length = 0.0;    ///< of blotches alone with as many pixels a sample; 0.4 is grain alone
   std::size_t blocks = 0;           ///< flat image blocks that were measured; 0: nothing was, the values are generic
 
   SensorModel model() const { return SensorModel::axial(a, b, correlation_length); }
 };
 
-/// Fits planes to small blocks of the frame and reads the error off their residuals: its size by depth, corrected for
-/// what the fits absorb of it, and the radius of its blotches. Clutter only enlarges residuals, so low quantiles are
-/// used. A fraction of a millisecond at 640x480, beside the reading of the frame.
+/// Fits quadrics to small blocks of the frame and to their parts, and reads the error off their residuals: its size by
+/// depth, corrected for what the fits absorb of it, and how far it is correlated. Curved surfaces and the slow bending
+/// of a sensor drop out, clutter only enlarges residuals, so low quantiles are used. In any unit of length. A fraction
+/// of a millisecond at 640x480, beside the reading of the frame.
 EPCC_CORE_EXPORT SensorEstimate estimateSensor(const DepthFrame& frame);
 
 struct InverseDepthImage;  // internal: a frame that has been read
 
-/// The same over a stream of one sensor: the median of a and b, the majority class and its median length over the last
-/// estimates, so that the model settles and does not flicker. Keeps its memory from frame to frame.
+/// The same over a stream of one sensor: the median of each value over the last estimates, so that the model settles
+/// and does not flicker. Keeps its memory from frame to frame.
 ///
 /// Until `memory` estimates are remembered, each frame gives one. From then on the cost is spread evenly: a frame
 /// measures every interval-th block, the next frame those beside them, and after `interval` frames, a round, all blocks
@@ -46,7 +42,7 @@ struct InverseDepthImage;  // internal: a frame that has been read
 /// interval * (memory / 2 + 2) - 1 frames, 35 as a rule.
 class EPCC_CORE_EXPORT SensorEstimator {
  public:
-  /// memory: number of estimates that are remembered, at least 1. interval: number of frames in a round, 1 to 120,
+  /// memory: number of estimates that are remembered, at least 1. interval: number of frames in a round, 1 to 150,
   /// for a frame measures one block at least.
   explicit SensorEstimator(std::size_t memory = 15, std::size_t interval = 4);
   SensorEstimator(const SensorEstimator& other);
@@ -58,7 +54,7 @@ class EPCC_CORE_EXPORT SensorEstimator {
   SensorEstimate update(const DepthFrame& frame);
   /// The same of a frame that has been read.
   SensorEstimate update(const InverseDepthImage& image);
-  /// Image blocks that the last update looked at, flat or not: what it cost.
+  /// Image blocks, large and small, that the last update looked at, flat or not: what it cost.
   std::size_t blocksLookedAt() const;
   void reset();
 
