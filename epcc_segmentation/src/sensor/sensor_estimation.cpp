@@ -21,9 +21,9 @@ constexpr int kRounds = 3;
 constexpr double kGrain = 0.4;
 constexpr double kBlotchy = 0.7;
 // Sigma of the model over that of the error, if it is blotches: their residuals scatter from block to block.
-constexpr double kSigmaOverBlotches = 2.5;
+constexpr double kSigmaOverBlotches = 2.4;
 constexpr double kSigmaOverSteps = 2.6;
-constexpr double kPlaceOfBlotch = 1.3;
+constexpr double kPlaceOfBlotch = 1.2;
 constexpr double kMaxBinWeight = 20.0;
 
 // The length that the model is given grows more slowly than that of the error, and the image must hold about 69 faces

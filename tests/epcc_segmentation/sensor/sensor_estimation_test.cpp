@@ -195,7 +195,7 @@ TEST(SensorEstimation, WhatTheBlocksAbsorbOfLongBlotchesIsAddedBack) {
   auto blotchy = headOnWall();
   addBlotches(blotchy, truth, 6.0, 6);
   // Quadrics absorb two thirds of the variance of such blotches, and a block holds so few of them that the low quantile
-  // is another third smaller: sigma would be half of the error, but for what is added back and the factor of 2.5.
+  // is another third smaller: sigma would be half of the error, but for what is added back and the factor of 2.4.
   for (const double z : {2.2, 2.8}) {
     EXPECT_GT(ratioAt(z, epcc::estimateSensor(blotchy.frame()), truth), 1.2) << z;
     EXPECT_LT(ratioAt(z, epcc::estimateSensor(blotchy.frame()), truth), 2.8) << z;
