@@ -2,8 +2,10 @@
 // The sensor model measured on the frames themselves: what `--noise auto` uses.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/export.h"
@@ -29,6 +31,53 @@ struct SensorEstimate {
 /// of a sensor drop out, clutter only enlarges residuals, so low quantiles are used. In any unit of length. A fraction
 /// of a millisecond at 640x480, beside the reading of the frame.
 EPCC_CORE_EXPORT SensorEstimate estimateSensor(const DepthFrame& frame);
+
+/// What an estimate comes from, for reports.
+struct SensorMeasurement {
+  /// A block of the image and what a quadric leaves in it.
+  struct Block {
+    double depth;     ///< metres
+    double residual;  ///< rms, across the surface, metres
+  };
+  /// A range of depths.
+  struct Bin {
+    double depth;        ///< metres
+    double error;        ///< standard deviation of the sensor's error, metres
+    double sigma;        ///< what the model is to say, metres
+    std::size_t blocks;  ///< in it
+  };
+  SensorEstimate estimate;
+  std::vector<Block> blocks;
+  std::vector<Bin> bins;
+  /// In units of a block's mean square after a quadric: the variance of the grain and that of the blotches.
+  double grain = 0.0;
+  double blotches = 0.0;
+  /// Mean squares that quadrics in parts of these sides (pixels) leave, in the same units, and what the two say.
+  std::array<int, 3> sides{};
+  std::array<double, 3> kept{};
+  std::array<double, 3> kept_fit{};
+  /// Autocorrelation of the residuals of the blocks' quadrics at lags of 0, 1, ... pixels, and what the two say.
+  /// Quadrics leave no long waves, so that it falls below zero.
+  std::vector<double> correlation, correlation_fit;
+};
+
+/// Frames of one camera pooled: all their blocks count as those of one frame.
+class EPCC_CORE_EXPORT SensorPool {
+ public:
+  SensorPool();
+  ~SensorPool();
+  SensorPool(SensorPool&&) noexcept;
+  SensorPool& operator=(SensorPool&&) noexcept;
+  /// False for a frame that is empty or of another size than the first: it is left out.
+  bool add(const DepthFrame& frame);
+  std::size_t frames() const;
+  /// Of all frames so far. estimate.blocks is 0 if nothing could be measured.
+  SensorMeasurement measure() const;
+
+ private:
+  struct Pool;
+  std::unique_ptr<Pool> pool_;
+};
 
 struct InverseDepthImage;  // internal: a frame that has been read
 

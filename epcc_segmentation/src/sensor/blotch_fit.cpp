@@ -46,24 +46,33 @@ Shares sharesOf(const Kept& measured, const Kept& of_grain, const Kept& of_blotc
 
 }  // namespace
 
-double keptByQuadric(double length, int side) {
+Eigen::MatrixXd orthonormalPolynomials(int side) {
   assert(side > 2);
   constexpr int kDegrees = 3;
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(side, -1.0, 1.0);
-  Eigen::MatrixXd basis(side, kDegrees);  // polynomials, orthonormal on the pixels
+  Eigen::MatrixXd basis(side, kDegrees);
   for (int i = 0; i < kDegrees; ++i) {
     basis.col(i) = x.array().pow(i);
     for (int k = 0; k < i; ++k) basis.col(i) -= basis.col(k).dot(basis.col(i)) * basis.col(k);
     basis.col(i).normalize();
   }
+  return basis;
+}
+
+Eigen::MatrixXd correlationMatrix(double length, int side) {
   Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(side, side);
   if (length > 0.0)
     for (int i = 0; i < side; ++i)
       for (int k = 0; k < side; ++k) correlation(i, k) = std::exp(-(i - k) * (i - k) / (2.0 * length * length));
-  const Eigen::VectorXd covered = (basis.transpose() * correlation * basis).diagonal();
+  return correlation;
+}
+
+double keptByQuadric(double length, int side) {
+  const Eigen::MatrixXd basis = orthonormalPolynomials(side);
+  const Eigen::VectorXd covered = (basis.transpose() * correlationMatrix(length, side) * basis).diagonal();
   double absorbed = 0.0;
-  for (int i = 0; i < kDegrees; ++i)
-    for (int j = 0; i + j < kDegrees; ++j) absorbed += covered(i) * covered(j);
+  for (int i = 0; i < basis.cols(); ++i)
+    for (int j = 0; i + j < basis.cols(); ++j) absorbed += covered(i) * covered(j);
   return 1.0 - absorbed / (side * side);
 }
 
@@ -101,7 +110,8 @@ Blotches BlotchTable::fit(const std::array<double, kScales - 1>& kept) const {
   }
   Blotches result;
   result.variance = best.grain + best.blotches;
-  result.share = std::max(0.0, (best.blotches / result.variance - kNoShare) / (1.0 - kNoShare));
+  result.fitted = best.blotches / result.variance;
+  result.share = std::max(0.0, (result.fitted - kNoShare) / (1.0 - kNoShare));
   result.length = length;
   return result;
 }

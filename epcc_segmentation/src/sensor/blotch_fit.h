@@ -2,12 +2,18 @@
 // The blotches and the grain that explain what quadrics in parts of a block leave of its error.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <vector>
 
 #include "sensor/block_quadrics.h"
 
 namespace epcc {
+
+/// Polynomials of degree 0, 1, 2 on `side` pixels, one a column.
+Eigen::MatrixXd orthonormalPolynomials(int side);
+/// exp(-d^2 / (2 length^2)) of pixels d apart on a line; length 0 is white.
+Eigen::MatrixXd correlationMatrix(double length, int side);
 
 /// Share of the variance of an error with correlation exp(-r^2 / (2 length^2)) that a quadric fitted to side x side
 /// pixels leaves; length 0 is white.
@@ -16,7 +22,8 @@ double keptByQuadric(double length, int side);
 /// An error of blotches and of grain that differs from pixel to pixel.
 struct Blotches {
   double length = 0.0;    ///< radius, pixels
-  double share = 0.0;     ///< of the error's variance; the rest is grain
+  double fitted = 0.0;    ///< share of the error's variance by the fit
+  double share = 0.0;     ///< the same, without what grain may look like; the rest is grain
   double variance = 1.0;  ///< of the error, over the mean square that a quadric leaves of it in a block
 
   /// Pixels per independent sample: 2 pi effectiveLength()^2.

@@ -27,6 +27,10 @@ class ImageBlocks {
   void begin(int block_size);
   void measure(const InverseDepthImage& image, const Turn& turn);
 
+  /// Places of the blocks, flat or not.
+  static int placeCount(const InverseDepthImage& image, int block_size);
+  static BlockPlace place(const InverseDepthImage& image, int block_size, int number);
+
   int blockSize() const { return block_size_; }
   const std::vector<BlockResiduals>& flat() const { return flat_; }
   /// How many blocks were looked at, flat or not.

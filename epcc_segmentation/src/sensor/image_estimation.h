@@ -3,6 +3,7 @@
 // sigma_z(z).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "epcc_segmentation/sensor_estimation.h"
@@ -27,6 +28,8 @@ class ImageEstimation {
   void measure(const InverseDepthImage& image, const Turn& turn);
   /// Of what was measured since begin(), on images of this geometry.
   SensorEstimate estimate(const InverseDepthImage& image);
+  /// The same, and what it comes from but for the autocorrelation.
+  SensorMeasurement describe(const InverseDepthImage& image);
   /// Blocks of both sizes looked at since begin(), flat or not.
   std::size_t lookedAt() const { return blocks_.lookedAt() + halves_.lookedAt(); }
 
@@ -36,13 +39,16 @@ class ImageEstimation {
   static int otherSize(int block_size);
 
  private:
-  void findTargets(const Blotches& blotches, double blotchy, double place);
+  void findTargets(double blotchy, double place);
 
   ImageBlocks blocks_;
   ImageBlocks halves_;  // of half the size, spread over the image by themselves
   DepthBins bins_;
   std::vector<SigmaTarget> targets_;
   SigmaFitter fitter_;
+  // of the last round
+  Blotches blotches_;
+  std::array<double, kScales - 1> kept_{};
 };
 
 }  // namespace epcc

@@ -106,19 +106,18 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
   double blotchy = 1.0;
   for (int round = 0; round < kRounds; ++round) {
     bins_.findDeviations(sigma, 1.0 - blotchy);
-    const auto kept = bins_.kept(sigma, 1.0 - blotchy);
-    const Blotches blotches = table.fit(kept);
-    const double effective_length = blotches.effectiveLength();
+    kept_ = bins_.kept(sigma, 1.0 - blotchy);
+    blotches_ = table.fit(kept_);
+    const double effective_length = blotches_.effectiveLength();
     blotchy = std::clamp((effective_length - kGrain) / (kBlotchy - kGrain), 0.0, 1.0);
     // Grain is an error along the ray, blotches are one across the surface.
     bins_.findDeviations(sigma, 1.0 - blotchy);
-    if (blocks_.blockSize() == kLargeBlock) bins_.guardAgainstClutter(halves_.flat(), 1.0 - blotchy, kept.back());
-    result.blotch_length = blotches.length;
-    result.blotch_share = blotches.share;
+    if (blocks_.blockSize() == kLargeBlock) bins_.guardAgainstClutter(halves_.flat(), 1.0 - blotchy, kept_.back());
+    result.blotch_length = blotches_.length;
+    result.blotch_share = blotches_.share;
     result.effective_length = effective_length;
     result.correlation_length = lengthOfModel(effective_length, largestLength(image.width, image.height));
-    findTargets(blotches, blotchy,
-                kPlaceOfBlotch * blotchy * result.correlation_length * std::sqrt(image.placeVariance()));
+    findTargets(blotchy, kPlaceOfBlotch * blotchy * result.correlation_length * std::sqrt(image.placeVariance()));
     if (targets_.empty()) return genericEstimate(image.width, image.height);
     const SigmaFit fit = fitter_.fit(targets_);
     result.a = fit.a;
@@ -129,11 +128,35 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
   return result;
 }
 
+SensorMeasurement ImageEstimation::describe(const InverseDepthImage& image) {
+  SensorMeasurement result;
+  result.estimate = estimate(image);
+  if (result.estimate.blocks == 0) return result;
+  for (const BlockResiduals& block : blocks_.flat()) result.blocks.push_back({block.depth, block.deviation});
+  for (std::size_t i = 0, target = 0; i < bins_.size(); ++i) {
+    const DepthBin& bin = bins_[i];
+    const bool has_target = target < targets_.size() && targets_[target].depth == bin.depth;
+    const double sigma = has_target ? std::exp(targets_[target++].log_sigma) : 0.0;
+    result.bins.push_back({bin.depth, bin.deviation * std::sqrt(blotches_.variance), sigma, bin.end - bin.begin});
+  }
+  const double blotches = blotches_.fitted * blotches_.variance;
+  result.grain = blotches_.variance - blotches;
+  result.blotches = blotches;
+  for (std::size_t scale = 0; scale < kScales; ++scale) {
+    const int side = blocks_.blockSize() >> (kScales - 1 - scale);
+    result.sides[scale] = side;
+    result.kept[scale] = scale + 1 < kScales ? kept_[scale] : 1.0;
+    result.kept_fit[scale] =
+        result.grain * keptByQuadric(0.0, side) + result.blotches * keptByQuadric(blotches_.length, side);
+  }
+  return result;
+}
+
 /// What the model is to say at each bin. Three errors: what is seen; at least the quantisation of the depth, which flat
 /// blocks may hide; and the place of a value, which is known to a blotch on surfaces of any slope.
-void ImageEstimation::findTargets(const Blotches& blotches, double blotchy, double place) {
+void ImageEstimation::findTargets(double blotchy, double place) {
   targets_.clear();
-  const double over_residual = (1.0 + blotchy * (kSigmaOverBlotches - 1.0)) * std::sqrt(blotches.variance);
+  const double over_residual = (1.0 + blotchy * (kSigmaOverBlotches - 1.0)) * std::sqrt(blotches_.variance);
   for (std::size_t i = 0; i < bins_.size(); ++i) {
     const DepthBin& bin = bins_[i];
     const double seen = std::max(over_residual * bin.deviation, kSigmaOverSteps * evenDeviation(bin.step));

@@ -410,4 +410,36 @@ TEST(SensorEstimator, TheLengthIsThatOfTheMajority) {
   EXPECT_EQ(estimator.update(white.frame()).correlation_length, length);
 }
 
+TEST(SensorPool, OneFrameGivesWhatItGivesAlone) {
+  auto frame = room();
+  addBlotches(frame, SensorModel::axial(0.003, 0.002), 4.0, 2);
+  epcc::SensorPool pool;
+  EXPECT_EQ(pool.measure().estimate.blocks, 0u);
+  ASSERT_TRUE(pool.add(frame.frame()));
+  const auto alone = epcc::estimateSensor(frame.frame());
+  const auto pooled = pool.measure();
+  EXPECT_EQ(pooled.estimate.a, alone.a);
+  EXPECT_EQ(pooled.estimate.b, alone.b);
+  EXPECT_EQ(pooled.estimate.correlation_length, alone.correlation_length);
+  ASSERT_EQ(pooled.correlation.size(), 17u);
+  for (std::size_t lag = 0; lag < 9; ++lag)
+    EXPECT_NEAR(pooled.correlation[lag], pooled.correlation_fit[lag], 0.12) << lag;
+  for (std::size_t scale = 0; scale < 3; ++scale)
+    EXPECT_NEAR(pooled.kept[scale], pooled.kept_fit[scale], 0.05) << scale;
+}
+
+TEST(SensorPool, FramesOfSeveralDepthsTellFloorAndGrowthApart) {
+  const SensorModel truth = SensorModel::axial(0.002, 0.004);
+  epcc::SensorPool pool;
+  for (const float scale : {0.3f, 1.0f, 3.0f}) {
+    auto frame = scaled(room(), scale);
+    epcc::test::addNoise(frame, truth, 5);
+    ASSERT_TRUE(pool.add(frame.frame()));
+  }
+  EXPECT_EQ(pool.frames(), 3u);
+  EXPECT_FALSE(pool.add(room(320, 240).frame())) << "another camera";
+  const auto found = pool.measure().estimate;
+  for (const double z : {0.4, 2.0, 7.0}) EXPECT_NEAR(ratioAt(z, found, truth), 1.0, 0.25) << z;
+}
+
 }  // namespace
