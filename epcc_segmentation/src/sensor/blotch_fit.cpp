@@ -61,9 +61,10 @@ Eigen::MatrixXd orthonormalPolynomials(int side) {
 
 Eigen::MatrixXd correlationMatrix(double length, int side) {
   Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(side, side);
-  if (length > 0.0)
-    for (int i = 0; i < side; ++i)
-      for (int k = 0; k < side; ++k) correlation(i, k) = std::exp(-(i - k) * (i - k) / (2.0 * length * length));
+  for (int lag = 1; length > 0.0 && lag < side; ++lag) {
+    correlation.diagonal(lag).setConstant(std::exp(-lag * lag / (2.0 * length * length)));
+    correlation.diagonal(-lag) = correlation.diagonal(lag);
+  }
   return correlation;
 }
 
