@@ -2,21 +2,46 @@
 // The user's choice goes first, then what the frame says, then what is measured on it.
 #include "eval/program/frame_sensor.h"
 
+#include "datasets/files/camera_json.h"
+#include "datasets/support/folder_listing.h"
 #include "datasets/support/input_error.h"
 #include "epcc_segmentation/sensor_estimation.h"
 
 namespace epcc {
 
 namespace {
+
 const char kAuto[] = "auto";
+const char kFileEnding[] = ".json";
+
+bool isFile(const std::string& text) {
+  return hasEnding(text, kFileEnding);
 }
+
+/// "noise" of a file that epcc_noise has written, or of any frame's JSON. Throws InputError.
+std::string noiseOfFile(const std::string& path) {
+  const nlohmann::json json = readJsonObject(path);
+  const auto found = json.find("noise");
+  if (found == json.end()) throw InputError(path, "noise", "is missing");
+  if (!found->is_string()) throw InputError(path, "noise", "is not a text");
+  return found->get<std::string>();
+}
+
+}  // namespace
 
 std::string noiseProblem(const std::string& text) {
   if (text == kAuto) return {};
   std::string why;
+  if (isFile(text)) {
+    try {
+      return SensorModel::parse(noiseOfFile(text), &why) ? std::string() : text + ": noise: " + why;
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }
   if (SensorModel::parse(text, &why)) return {};
   const bool is_unknown = why.find("is neither a preset") != std::string::npos;
-  return is_unknown ? why + ", nor auto" : why;
+  return is_unknown ? why + ", nor auto, nor a FILE.json" : why;
 }
 
 FrameSensor frameSensor(const std::string& chosen, const std::optional<std::string>& of_frame, const DepthFrame& frame,
@@ -27,8 +52,9 @@ FrameSensor frameSensor(const std::string& chosen, const std::optional<std::stri
     return {model, "auto (" + model.description() + ")"};
   }
   std::string why;
-  const std::optional<SensorModel> model = SensorModel::parse(text, &why);
-  if (!model) throw InputError(camera_file, "noise", why);
+  const bool is_file = !chosen.empty() && isFile(text);
+  const std::optional<SensorModel> model = SensorModel::parse(is_file ? noiseOfFile(text) : text, &why);
+  if (!model) throw InputError(is_file ? text : camera_file, "noise", why);
   return {*model, text};
 }
 

@@ -16,11 +16,12 @@ struct FrameSensor {
   std::string name;
 };
 
-/// Empty if `text` is "auto" or something SensorModel::parse takes, else what is wrong.
+/// Empty if `text` is "auto", a FILE.json with a key "noise", as epcc_noise writes it, or something SensorModel::parse
+/// takes; else what is wrong.
 std::string noiseProblem(const std::string& text);
 
-/// The command line's choice (empty: none), else the frame's own "noise", else "auto": measured on the frame.
-/// InputError naming `camera_file` if the frame's own cannot be read.
+/// The command line's choice (empty: none), as noiseProblem() takes it, else the frame's own "noise", else "auto":
+/// measured on the frame. InputError naming `camera_file` if the frame's own cannot be read.
 FrameSensor frameSensor(const std::string& chosen, const std::optional<std::string>& of_frame, const DepthFrame& frame,
                         const std::string& camera_file);
 

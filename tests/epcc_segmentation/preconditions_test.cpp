@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
+#include "sensor/blotch_fit.h"
 #include "sensor/depth_bins.h"
-#include "sensor/fitted_blotches.h"
 #include "sensor/quantile.h"
 
 namespace {
@@ -30,13 +30,12 @@ TEST(Preconditions, QuantileIsOfSomething) {
   EPCC_EXPECT_ASSERTION(epcc::quantile(nothing, 0.5), "empty");
 }
 
-TEST(Preconditions, CorrelationIsOfSomeBins) {
-  EPCC_EXPECT_ASSERTION(epcc::DepthBins().correlation(1.5), "empty");
+TEST(Preconditions, WhatIsKeptIsOfSomeBins) {
+  EPCC_EXPECT_ASSERTION(epcc::DepthBins().kept(epcc::SigmaShape(), 1.0), "empty");
 }
 
-TEST(Preconditions, BlotchesAreSeenInABlockWithATilt) {
-  EPCC_EXPECT_ASSERTION(epcc::fittedBlotches(2.0, 1), "size > 1");
-  EPCC_EXPECT_ASSERTION(epcc::fittedBlotches(0.0, 16), "length > 0");
+TEST(Preconditions, BlotchesAreSeenInABlockWithAQuadric) {
+  EPCC_EXPECT_ASSERTION(epcc::keptByQuadric(2.0, 2), "side > 2");
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 // The sensor model measured on the frames themselves: what `--noise auto` uses.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/export.h"
@@ -11,33 +13,76 @@
 
 namespace epcc {
 
-/// How far the error of a sensor is correlated.
-enum class NoiseClass {
-  White,  ///< structured light, laser: each pixel on its own
-  Mid,    ///< Kinect type: blotches of a few pixels
-  Long    ///< RealSense type: blotches of many pixels
-};
-
 /// What one frame tells of its sensor.
 struct SensorEstimate {
-  NoiseClass noise_class = NoiseClass::Mid;
   double a = 0.0023;                ///< metres, see SensorModel::axial
   double b = 0.0036;                ///< 1/m
   double correlation_length = 4.0;  ///< pixels
+  double blotch_length = 0.0;       ///< radius of the blotches that were seen, pixels
+  double blotch_share = 0.0;        ///< of the error's variance; the rest is grain, which differs from pixel to pixel
+  double effective_length = 0.0;    ///< of blotches alone with as many pixels a sample; 0.4 is grain alone
   std::size_t blocks = 0;           ///< flat image blocks that were measured; 0: nothing was, the values are generic
 
   SensorModel model() const { return SensorModel::axial(a, b, correlation_length); }
 };
 
-/// Fits planes to small blocks of the frame and reads the error off their residuals: its size by depth, corrected for
-/// what the fits absorb of it, and the radius of its blotches. Clutter only enlarges residuals, so low quantiles are
-/// used. A fraction of a millisecond at 640x480, beside the reading of the frame.
+/// Fits quadrics to small blocks of the frame and to their parts, and reads the error off their residuals: its size by
+/// depth, corrected for what the fits absorb of it, and how far it is correlated. Curved surfaces and the slow bending
+/// of a sensor drop out, clutter only enlarges residuals, so low quantiles are used. In any unit of length. A fraction
+/// of a millisecond at 640x480, beside the reading of the frame.
 EPCC_CORE_EXPORT SensorEstimate estimateSensor(const DepthFrame& frame);
+
+/// What an estimate comes from, for reports.
+struct SensorMeasurement {
+  /// A block of the image and what a quadric leaves in it.
+  struct Block {
+    double depth;     ///< metres
+    double residual;  ///< rms, across the surface, metres
+  };
+  /// A range of depths.
+  struct Bin {
+    double depth;        ///< metres
+    double error;        ///< standard deviation of the sensor's error, metres
+    double sigma;        ///< what the model is to say, metres
+    std::size_t blocks;  ///< in it
+  };
+  SensorEstimate estimate;
+  std::vector<Block> blocks;
+  std::vector<Bin> bins;
+  /// In units of a block's mean square after a quadric: the variance of the grain and that of the blotches.
+  double grain = 0.0;
+  double blotches = 0.0;
+  /// Mean squares that quadrics in parts of these sides (pixels) leave, in the same units, and what the two say.
+  std::array<int, 3> sides{};
+  std::array<double, 3> kept{};
+  std::array<double, 3> kept_fit{};
+  /// Autocorrelation of the residuals of the blocks' quadrics at lags of 0, 1, ... pixels, and what the two say.
+  /// Quadrics leave no long waves, so that it falls below zero.
+  std::vector<double> correlation, correlation_fit;
+};
+
+/// Frames of one camera pooled: all their blocks count as those of one frame.
+class EPCC_CORE_EXPORT SensorPool {
+ public:
+  SensorPool();
+  ~SensorPool();
+  SensorPool(SensorPool&&) noexcept;
+  SensorPool& operator=(SensorPool&&) noexcept;
+  /// False for a frame that is empty or of another size than the first: it is left out.
+  bool add(const DepthFrame& frame);
+  std::size_t frames() const;
+  /// Of all frames so far. estimate.blocks is 0 if nothing could be measured.
+  SensorMeasurement measure() const;
+
+ private:
+  struct Pool;
+  std::unique_ptr<Pool> pool_;
+};
 
 struct InverseDepthImage;  // internal: a frame that has been read
 
-/// The same over a stream of one sensor: the median of a and b, the majority class and its median length over the last
-/// estimates, so that the model settles and does not flicker. Keeps its memory from frame to frame.
+/// The same over a stream of one sensor: the median of each value over the last estimates, so that the model settles
+/// and does not flicker. Keeps its memory from frame to frame.
 ///
 /// Until `memory` estimates are remembered, each frame gives one. From then on the cost is spread evenly: a frame
 /// measures every interval-th block, the next frame those beside them, and after `interval` frames, a round, all blocks
@@ -46,7 +91,7 @@ struct InverseDepthImage;  // internal: a frame that has been read
 /// interval * (memory / 2 + 2) - 1 frames, 35 as a rule.
 class EPCC_CORE_EXPORT SensorEstimator {
  public:
-  /// memory: number of estimates that are remembered, at least 1. interval: number of frames in a round, 1 to 120,
+  /// memory: number of estimates that are remembered, at least 1. interval: number of frames in a round, 1 to 150,
   /// for a frame measures one block at least.
   explicit SensorEstimator(std::size_t memory = 15, std::size_t interval = 4);
   SensorEstimator(const SensorEstimator& other);
@@ -58,7 +103,7 @@ class EPCC_CORE_EXPORT SensorEstimator {
   SensorEstimate update(const DepthFrame& frame);
   /// The same of a frame that has been read.
   SensorEstimate update(const InverseDepthImage& image);
-  /// Image blocks that the last update looked at, flat or not: what it cost.
+  /// Image blocks, large and small, that the last update looked at, flat or not: what it cost.
   std::size_t blocksLookedAt() const;
   void reset();
 

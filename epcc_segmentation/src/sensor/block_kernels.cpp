@@ -21,30 +21,29 @@ using Vector = hn::Vec<Floats>;
 
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(Floats()));
 
-/// e = w - (x tilt_x + (y tilt_y + value)) of the columns from `column` on.
+/// e = w - ((x plane.x + forward plane.forward) + y plane.y) of the columns from `column` on.
 class Residuals {
  public:
-  HWY_INLINE Residuals(const BlockSamples& samples, const SamplePlane& plane, int column)
+  HWY_INLINE Residuals(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, int column)
       : w_(samples.w + column),
+        y_(rays.y),
         pitch_(samples.pitch),
-        middle_(0.5f * static_cast<float>(samples.side - 1)),
-        tilt_y_(plane.tilt_y),
-        value_(plane.value),
-        along_x_(hn::Mul(hn::Set(Floats(), plane.tilt_x), hn::Iota(Floats(), static_cast<float>(column) - middle_))) {}
+        along_y_(plane.y),
+        along_columns_(hn::Add(hn::Mul(hn::Set(Floats(), plane.x), hn::Load(Floats(), rays.x + column)),
+                               hn::Mul(hn::Set(Floats(), plane.forward), hn::Load(Floats(), rays.forward + column)))) {}
 
-  HWY_INLINE float y(int row) const { return static_cast<float>(row) - middle_; }
-  HWY_INLINE Vector w(int row) const { return hn::Load(Floats(), w_ + row * pitch_); }
+  HWY_INLINE float y(int row) const { return y_[row]; }
   HWY_INLINE Vector e(int row) const {
-    return hn::Sub(w(row), hn::Add(along_x_, hn::Set(Floats(), tilt_y_ * y(row) + value_)));
+    return hn::Sub(hn::Load(Floats(), w_ + row * pitch_),
+                   hn::Add(along_columns_, hn::Set(Floats(), along_y_ * y_[row])));
   }
 
  private:
   const float* w_;
+  const float* y_;
   int pitch_;
-  float middle_;
-  float tilt_y_;
-  float value_;
-  Vector along_x_;
+  float along_y_;
+  Vector along_columns_;
 };
 
 /// w, or kNowhere where it is not above 0. Nothing beyond the block is read.
@@ -72,22 +71,29 @@ void Gather(const float* first, std::size_t row_pitch, BlockSamples& samples) {
     }
     for (; x < samples.pitch; ++x) row[x] = kNowhere;
   }
+  for (int i = 0; i < kRowOfVector; i += kLanes) hn::Store(nowhere, d, samples.w + samples.side * samples.pitch + i);
   samples.valid = valid_beside + static_cast<int>(hn::GetLane(hn::SumOfLanes(d, valid)));
 }
 
-void Subtract(float centre, BlockSamples& samples) {
+void Subtract(float centre, const BlockRays& rays, BlockSamples& samples) {
   const Floats d;
-  for (int i = 0; i < samples.side * samples.pitch; i += kLanes)
-    hn::Store(hn::Sub(hn::Load(d, samples.w + i), hn::Set(d, centre)), d, samples.w + i);
+  for (int column = 0; column < samples.pitch; column += kLanes) {
+    const Vector of_column = hn::Mul(hn::Set(d, centre), hn::Load(d, rays.forward + column));
+    for (int row = 0; row < samples.side; ++row) {
+      float* w = samples.w + row * samples.pitch + column;
+      hn::Store(hn::Sub(hn::Load(d, w), of_column), d, w);
+    }
+  }
 }
 
 /// sum of [|e| <= gate] {1, y, y^2, e, e y}
-void SumInliers(const BlockSamples& samples, const SamplePlane& plane, float gate, ColumnSums& sums) {
+void SumInliers(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, float gate,
+                ColumnSums& sums) {
   const Floats d;
   const Vector limit = hn::Set(d, gate);
   const Vector one = hn::Set(d, 1.0f);
   for (int column = 0; column < samples.side; column += kLanes) {
-    const Residuals residuals(samples, plane, column);
+    const Residuals residuals(samples, rays, plane, column);
     Vector n = hn::Zero(d), ny = hn::Zero(d), nyy = hn::Zero(d), ne = hn::Zero(d), ney = hn::Zero(d);
     for (int row = 0; row < samples.side; ++row) {
       const Vector e = residuals.e(row);
@@ -125,13 +131,14 @@ HWY_INLINE int CountUpTo(const float* size, int count, float limit) {
 }
 
 /// Halvings of an interval of the logarithm that is 24 octaves wide: what single precision tells.
-void ResidualOfRank(const BlockSamples& samples, const SamplePlane& plane, int rank, float largest, float& result) {
+void ResidualOfRank(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, int rank,
+                    float largest, float& result) {
   constexpr int kHalvings = 12;
   const Floats d;
   alignas(64) float size[kMaxBlockPixels];
   int count = 0;
   for (int column = 0; column < samples.side; column += kLanes) {
-    const Residuals residuals(samples, plane, column);
+    const Residuals residuals(samples, rays, plane, column);
     for (int row = 0; row < samples.side; ++row, count += kLanes) hn::Store(hn::Abs(residuals.e(row)), d, size + count);
   }
   float high = largest;
@@ -144,98 +151,22 @@ void ResidualOfRank(const BlockSamples& samples, const SamplePlane& plane, int r
   result = high;
 }
 
-/// e [|e| <= gate], and the sums of [|e| <= gate] {1, w, e^2}
-void ResidualsOf(const BlockSamples& samples, const SamplePlane& plane, float gate, BlockErrors& errors,
-                 ErrorSums& sums) {
-  constexpr int kPitch = BlockErrors::kRowPitch;
-  const Floats d;
-  const Vector limit = hn::Set(d, gate);
-  const Vector one = hn::Set(d, 1.0f);
-  const Vector zero = hn::Zero(d);
-  errors.side = samples.side;
-  errors.width = samples.pitch;
-  for (int column = 0; column < samples.pitch; column += kLanes) {
-    const Residuals residuals(samples, plane, column);
-    Vector n = zero, nw = zero, nee = zero;
-    for (int row = 0; row < samples.side; ++row) {
-      const Vector e = residuals.e(row);
-      const auto is_inlier = hn::Le(hn::Abs(e), limit);
-      const Vector error = hn::IfThenElseZero(is_inlier, e);
-      const Vector inlier = hn::IfThenElseZero(is_inlier, one);
-      n = hn::Add(n, inlier);
-      nw = hn::Add(nw, hn::IfThenElseZero(is_inlier, residuals.w(row)));
-      nee = hn::Add(nee, hn::Mul(error, error));
-      hn::Store(error, d, errors.e + row * kPitch + column);
-      hn::Store(inlier, d, errors.inlier + row * kPitch + column);
-    }
-    hn::Store(n, d, sums.n + column);
-    hn::Store(nw, d, sums.w + column);
-    hn::Store(nee, d, sums.ee + column);
-    for (int row = samples.side; row < samples.side + kMaxLag; ++row) {
-      hn::Store(zero, d, errors.e + row * kPitch + column);
-      hn::Store(zero, d, errors.inlier + row * kPitch + column);
-    }
-  }
-  for (int row = 0; row < samples.side; ++row)
-    for (int column = samples.pitch; column < samples.pitch + kRowOfVector; column += kLanes) {
-      hn::Store(zero, d, errors.e + row * kPitch + column);
-      hn::Store(zero, d, errors.inlier + row * kPitch + column);
-    }
-}
-
-/// Adds f(row, x) f(row, x + lag) + f(row, x) f(row + lag, x).
-template <int kLag>
-HWY_INLINE void AddProducts(const float* f, Vector here, Vector& sum) {
-  const Floats d;
-  const Vector right = hn::Mul(here, hn::LoadU(d, f + kLag));
-  const Vector below = hn::Mul(here, hn::Load(d, f + kLag * BlockErrors::kRowPitch));
-  sum = hn::Add(sum, hn::Add(right, below));
-}
-
-/// Per column: the products at kLags of f = e or f = inlier.
-HWY_INLINE void SumProducts(const float* f, int side, int width, float* sums) {
-  const Floats d;
-  for (int column = 0; column < width; column += kLanes) {
-    Vector lag1 = hn::Zero(d), lag2 = hn::Zero(d), lag4 = hn::Zero(d), lag8 = hn::Zero(d);
-    for (int row = 0; row < side; ++row) {
-      const float* at = f + row * BlockErrors::kRowPitch + column;
-      const Vector here = hn::Load(d, at);
-      AddProducts<kLags[0]>(at, here, lag1);
-      AddProducts<kLags[1]>(at, here, lag2);
-      AddProducts<kLags[2]>(at, here, lag4);
-      AddProducts<kLags[3]>(at, here, lag8);
-    }
-    hn::Store(lag1, d, sums + column);
-    hn::Store(lag2, d, sums + kMaxBlock + column);
-    hn::Store(lag4, d, sums + 2 * kMaxBlock + column);
-    hn::Store(lag8, d, sums + 3 * kMaxBlock + column);
-  }
-}
-
-/// `products` and `pairs` have kMaxBlock columns for each lag.
-void SumLags(const BlockErrors& errors, float* products, float* pairs) {
-  SumProducts(errors.e, errors.side, errors.width, products);
-  SumProducts(errors.inlier, errors.side, errors.width, pairs);
-}
-
-/// min of [v[i] - v[i - 1] > rounding v[i]] (v[i] - v[i - 1]), in any order
-void SmallestGap(const float* ordered, int count, float& result) {
+/// What is beside the last of a row is the first of the next, as good as any, or nowhere.
+/// min of [|w[x] - w[x + 1]| > rounding w[x]] |w[x] - w[x + 1]| over the pixels with depth, in any order
+void SmallestStep(const BlockSamples& samples, float& result) {
   constexpr float kRounding = 1e-6f;  // relative, of single precision
   const Floats d;
-  const Vector none = hn::Set(d, hwy::HighestValue<float>());
+  const Vector none = hn::Set(d, kNowhere);
   Vector smallest = none;
-  int i = 1;
-  for (; i + kLanes <= count; i += kLanes) {
-    const Vector value = hn::LoadU(d, ordered + i);
-    const Vector gap = hn::Sub(value, hn::LoadU(d, ordered + i - 1));
-    smallest = hn::Min(smallest, hn::IfThenElse(hn::Gt(gap, hn::Mul(value, hn::Set(d, kRounding))), gap, none));
+  for (int row = 0; row < samples.side; ++row) {
+    const float* w = samples.w + row * samples.pitch;
+    for (int x = 0; x < samples.side - 1; x += kLanes) {
+      const Vector here = hn::Load(d, w + x);
+      const Vector step = hn::Abs(hn::Sub(hn::LoadU(d, w + x + 1), here));
+      smallest = hn::Min(smallest, hn::IfThenElse(hn::Gt(step, hn::Mul(here, hn::Set(d, kRounding))), step, none));
+    }
   }
   result = hn::GetLane(hn::MinOfLanes(d, smallest));
-  for (; i < count; ++i) {
-    const float gap = ordered[i] - ordered[i - 1];
-    if (gap > ordered[i] * kRounding && gap < result) result = gap;
-  }
-  if (result == hwy::HighestValue<float>()) result = 0.0f;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -249,52 +180,33 @@ HWY_EXPORT(Gather);
 HWY_EXPORT(Subtract);
 HWY_EXPORT(SumInliers);
 HWY_EXPORT(ResidualOfRank);
-HWY_EXPORT(ResidualsOf);
-HWY_EXPORT(SumLags);
-HWY_EXPORT(SmallestGap);
+HWY_EXPORT(SmallestStep);
 
 void gatherBlock(const float* first, std::size_t row_pitch, int side, BlockSamples& samples) {
   samples.setSide(side);
   EPCC_KERNEL(Gather)(first, row_pitch, samples);
 }
 
-void subtractCentre(float centre, BlockSamples& samples) {
-  samples.centre = centre;
-  EPCC_KERNEL(Subtract)(centre, samples);
+void subtractCentre(float centre, const BlockRays& rays, BlockSamples& samples) {
+  EPCC_KERNEL(Subtract)(centre, rays, samples);
 }
 
-void sumInliers(const BlockSamples& samples, const SamplePlane& plane, float gate, ColumnSums& sums) {
-  EPCC_KERNEL(SumInliers)(samples, plane, gate, sums);
+void sumInliers(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, float gate,
+                ColumnSums& sums) {
+  EPCC_KERNEL(SumInliers)(samples, rays, plane, gate, sums);
 }
 
-float residualOfRank(const BlockSamples& samples, const SamplePlane& plane, int rank, float largest) {
+float residualOfRank(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, int rank,
+                     float largest) {
   float result = 0.0f;
-  EPCC_KERNEL(ResidualOfRank)(samples, plane, rank, largest, result);
+  EPCC_KERNEL(ResidualOfRank)(samples, rays, plane, rank, largest, result);
   return result;
 }
 
-void residualsOf(const BlockSamples& samples, const SamplePlane& plane, float gate, BlockErrors& errors,
-                 ErrorSums& sums) {
-  EPCC_KERNEL(ResidualsOf)(samples, plane, gate, errors, sums);
-}
-
-LagSums sumLags(const BlockErrors& errors) {
-  alignas(64) float products[kLags.size()][kMaxBlock];
-  alignas(64) float pairs[kLags.size()][kMaxBlock];
-  EPCC_KERNEL(SumLags)(errors, products[0], pairs[0]);
-  LagSums sums;
-  for (std::size_t k = 0; k < kLags.size(); ++k)
-    for (int column = 0; column < errors.width; ++column) {
-      sums.products[k] += static_cast<double>(products[k][column]);
-      sums.pairs[k] += static_cast<double>(pairs[k][column]);
-    }
-  return sums;
-}
-
-float smallestGap(const float* ordered, int count) {
+float smallestStep(const BlockSamples& samples) {
   float result = 0.0f;
-  EPCC_KERNEL(SmallestGap)(ordered, count, result);
-  return result;
+  EPCC_KERNEL(SmallestStep)(samples, result);
+  return result < 0.5f * kNowhere ? result : 0.0f;
 }
 
 }  // namespace epcc

@@ -1,27 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Robust plane of one image block and the statistics of its residuals.
+// What one image block tells of the sensor's error.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 
-#include "inverse_depth/inverse_depth_image.h"
-#include "sensor/block_kernels.h"
+#include "sensor/block_plane.h"
+#include "sensor/block_quadrics.h"
 
 namespace epcc {
 
 struct BlockResiduals {
   double depth = 0.0;      ///< measured depth at the block, metres
-  double deviation = 0.0;  ///< residual standard deviation across the surface, metres
+  double deviation = 0.0;  ///< rms residual of a quadric, across the surface, metres
+  double slant = 1.0;      ///< square of the axial residual over that across the surface: 1 + tan^2
   double step = 0.0;       ///< smallest difference of two depths, metres: the step of a quantised depth
-  std::array<double, kLags.size()> correlation{};
+  /// Mean squares that separate quadrics in the block's parts, of a quarter and of half its side, leave of those that
+  /// one quadric leaves.
+  std::array<double, kScales - 1> kept{};
+
+  /// The residual along the ray (axial = 1) or across the surface (0), or between.
+  double deviationAlong(double axial) const { return deviation * std::pow(slant, 0.5 * axial); }
 };
 
-/// Fits the block with upper left corner (row, column) and side `size`; nothing if less than 80 % of it is valid or
-/// less than 75 % of that lies on one plane.
-std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, int row, int column, int size);
-
-/// Its deviation alone.
-std::optional<double> measureBlockError(const InverseDepthImage& image, int row, int column, int size);
+/// Nothing if less than 80 % of the block is valid or less than 75 % of that lies on one plane.
+std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, const BlockPlace& place);
 
 }  // namespace epcc

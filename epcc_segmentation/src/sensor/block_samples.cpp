@@ -11,7 +11,6 @@ void BlockSamples::setSide(int samples_a_row) {
   assert(samples_a_row > 0 && samples_a_row <= kMaxBlock);
   side = samples_a_row;
   pitch = side <= kRowOfVector ? kRowOfVector : 2 * kRowOfVector;
-  centre = 0.0f;
 }
 
 void gatherQuarter(const BlockSamples& all, BlockSamples& quarter) {
@@ -25,6 +24,15 @@ void gatherQuarter(const BlockSamples& all, BlockSamples& quarter) {
     if (!full)
       quarter.valid += static_cast<int>(std::count_if(row, row + quarter.side, [](float w) { return w < kNowhere; }));
     std::fill(row + quarter.side, row + quarter.pitch, kNowhere);
+  }
+}
+
+void gatherQuarter(const BlockRays& all, int side, BlockRays& quarter) {
+  quarter = {};
+  for (int i = 0; i < side / 2; ++i) {
+    quarter.x[i] = all.x[2 * i];
+    quarter.forward[i] = all.forward[2 * i];
+    quarter.y[i] = all.y[2 * i];
   }
 }
 

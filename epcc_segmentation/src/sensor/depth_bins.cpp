@@ -15,28 +15,31 @@ namespace {
 constexpr std::size_t kMinBlocksPerBin = 4;
 constexpr double kBinsPerOctave = 3.0;
 constexpr double kLowQuantile = 0.2;
-constexpr double kClutteredBin = 3.0;  // in medians of r / z^2 over the bins
+constexpr double kClutteredBin = 1.5;    // in medians of deviation / sigma over the bins
+constexpr double kClutteredBlock = 2.0;  // in deviations of its bin
 constexpr double kClutterGuard = 1.1;
-
-double inverseDepthResidual(const DepthBin& bin) {
-  return bin.deviation / (bin.depth * bin.depth);
-}
+constexpr double kNearby = 0.2;  // octaves
 
 }  // namespace
 
 DepthBins::DepthBins() {
   places_.reserve(kMaxBlocks);
   bins_.reserve(kMaxBlocks / kMinBlocksPerBin);
-  values_.reserve(2 * kMaxBlocks);
+  values_.reserve(kMaxBlocks);
 }
 
-void DepthBins::sort(const std::vector<PlacedBlock>& blocks) {
+void DepthBins::sort(const std::vector<BlockResiduals>& blocks) {
   blocks_ = &blocks;
   places_.clear();
   bins_.clear();
+  if (blocks.empty()) return;
+  double log_depth = 0.0;
+  for (const BlockResiduals& block : blocks) log_depth += std::log2(block.depth);
+  // One bin is about the mean depth, so that the unit of length does not matter.
+  const double first = log_depth / static_cast<double>(blocks.size()) - 0.5 / kBinsPerOctave;
   for (std::size_t i = 0; i < blocks.size(); ++i)
     places_.push_back(
-        {static_cast<int>(std::floor(kBinsPerOctave * std::log2(blocks[i].residuals.depth))), static_cast<int>(i)});
+        {static_cast<int>(std::floor(kBinsPerOctave * (std::log2(blocks[i].depth) - first))), static_cast<int>(i)});
   std::sort(places_.begin(), places_.end());
   for (std::size_t begin = 0, end; begin < places_.size(); begin = end) {
     for (end = begin + 1; end < places_.size() && places_[end].bin == places_[begin].bin;) ++end;
@@ -44,23 +47,19 @@ void DepthBins::sort(const std::vector<PlacedBlock>& blocks) {
     DepthBin bin;
     bin.begin = begin;
     bin.end = end;
-    summarize(bin);
-    if (bin.deviation > 0.0) bins_.push_back(bin);
+    describe(bin);
+    bins_.push_back(bin);
   }
 }
 
-void DepthBins::summarize(DepthBin& bin) {
-  bin.weight = static_cast<double>(bin.end - bin.begin);
+void DepthBins::describe(DepthBin& bin) {
   double log_depth = 0.0;
   values_.clear();
   for (std::size_t i = bin.begin; i < bin.end; ++i) {
-    log_depth += std::log(block(i).residuals.depth);
-    values_.push_back(block(i).residuals.deviation);
+    log_depth += std::log(block(i).depth);
+    values_.push_back(block(i).step);
   }
-  bin.depth = std::exp(log_depth / bin.weight);
-  bin.deviation = quantile(values_, kLowQuantile);
-  values_.clear();
-  for (std::size_t i = bin.begin; i < bin.end; ++i) values_.push_back(block(i).residuals.step);
+  bin.depth = std::exp(log_depth / bin.weight());
   bin.step = quantile(values_, 0.5);
 }
 
@@ -70,45 +69,50 @@ std::size_t DepthBins::blockCount() const {
   return count;
 }
 
-/// Of r / z^2 of the bins that do not hold little but clutter, whose outlines look like blotches.
-double DepthBins::clutterLimit() {
-  values_.clear();
-  for (const DepthBin& bin : bins_) values_.push_back(inverseDepthResidual(bin));
-  return kClutteredBin * quantile(values_, 0.5);
-}
-
-double DepthBins::correlationAt(std::size_t lag, double roughest, double clutter_limit) {
-  double sum = 0.0;
-  double weight = 0.0;
-  for (const DepthBin& bin : bins_) {
-    if (inverseDepthResidual(bin) > clutter_limit) continue;
-    values_.clear();
-    for (std::size_t i = bin.begin; i < bin.end; ++i)
-      if (block(i).residuals.deviation < roughest * bin.deviation)
-        values_.push_back(block(i).residuals.correlation[lag]);
-    if (values_.empty()) continue;
-    sum += bin.weight * quantile(values_, 0.5);
-    weight += bin.weight;
-  }
-  return weight > 0.0 ? sum / weight : 0.0;
-}
-
-std::array<double, kLags.size()> DepthBins::correlation(double roughest) {
-  assert(!bins_.empty());
-  const double limit = clutterLimit();
-  std::array<double, kLags.size()> result{};
-  for (std::size_t k = 0; k < kLags.size(); ++k) result[k] = correlationAt(k, roughest, limit);
-  return result;
-}
-
-void DepthBins::guardAgainstClutter() {
+void DepthBins::findDeviations(const SigmaShape& sigma, double axial) {
   for (DepthBin& bin : bins_) {
     values_.clear();
     for (std::size_t i = bin.begin; i < bin.end; ++i)
-      for (const double deviation : block(i).half_deviations)
-        if (deviation != kUnmeasured) values_.push_back(deviation);
-    if (values_.size() >= kMinBlocksPerBin)
-      bin.deviation = std::min(bin.deviation, kClutterGuard * quantile(values_, kLowQuantile));
+      values_.push_back(block(i).deviationAlong(axial) / sigma(block(i).depth));
+    bin.deviation = quantile(values_, kLowQuantile) * sigma(bin.depth);
+  }
+}
+
+/// Of the deviations in sigmas of the bins that do not hold little but clutter.
+double DepthBins::clutterLimit(const SigmaShape& sigma) {
+  values_.clear();
+  for (const DepthBin& bin : bins_) values_.push_back(bin.deviation / sigma(bin.depth));
+  return kClutteredBin * quantile(values_, 0.5);
+}
+
+std::array<double, kScales - 1> DepthBins::kept(const SigmaShape& sigma, double axial) {
+  assert(!bins_.empty());
+  const double limit = clutterLimit(sigma);
+  std::array<double, kScales - 1> result{};
+  for (std::size_t scale = 0; scale + 1 < kScales; ++scale) {
+    values_.clear();
+    for (const DepthBin& bin : bins_) {
+      const double size = bin.deviation / sigma(bin.depth);
+      if (size > limit) continue;
+      for (std::size_t i = bin.begin; i < bin.end; ++i)
+        if (block(i).deviationAlong(axial) <= kClutteredBlock * size * sigma(block(i).depth))
+          values_.push_back(block(i).kept[scale]);
+    }
+    assert(!values_.empty());  // the median bin is asked, and a fifth of its blocks
+    result[scale] = quantile(values_, 0.5);
+  }
+  return result;
+}
+
+void DepthBins::guardAgainstClutter(const std::vector<BlockResiduals>& halves, double axial, double kept) {
+  const double nearby = std::exp2(kNearby);
+  for (DepthBin& bin : bins_) {
+    values_.clear();
+    for (const BlockResiduals& half : halves)
+      if (half.depth < bin.depth * nearby && half.depth * nearby > bin.depth)
+        values_.push_back(half.deviationAlong(axial));
+    if (values_.size() < kMinBlocksPerBin) continue;
+    bin.deviation = std::min(bin.deviation, kClutterGuard * quantile(values_, kLowQuantile) / std::sqrt(kept));
   }
 }
 

@@ -3,42 +3,52 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "sensor/image_blocks.h"
 
 namespace epcc {
 
+/// What is held of sigma_z(z), at first but its growth.
+struct SigmaShape {
+  double a = 0.0, b = 0.0;
+  bool known = false;
+  double operator()(double z) const { return known ? std::hypot(a, b * z * z) : z * std::sqrt(z); }
+};
+
 struct DepthBin {
   double depth = 0.0;      ///< geometric mean, metres
   double deviation = 0.0;  ///< low quantile of the blocks' residuals, metres: clutter can only make them larger
   double step = 0.0;       ///< median of the blocks' depth steps, metres
-  double weight = 0.0;     ///< number of blocks
   std::size_t begin = 0;   ///< of its blocks in the order of depth
   std::size_t end = 0;
+
+  double weight() const { return static_cast<double>(end - begin); }
 };
 
 /// Three bins per octave, those with fewer than four blocks left out. Keeps its memory.
 class DepthBins {
  public:
   DepthBins();
-  /// The blocks are looked up again by the functions below, and must stay; the halves alone may be added.
-  void sort(const std::vector<PlacedBlock>& blocks);
+  /// The blocks are looked up again by the functions below, and must stay.
+  void sort(const std::vector<BlockResiduals>& blocks);
   bool empty() const { return bins_.empty(); }
   std::size_t size() const { return bins_.size(); }
   const DepthBin& operator[](std::size_t i) const { return bins_[i]; }
   /// Blocks in all bins.
   std::size_t blockCount() const;
 
-  /// Autocorrelation of the residuals of the blocks with less than `roughest` times their bin's deviation: the median
-  /// in each bin, then the mean by their number of blocks. Bins full of clutter are left out. Not without bins.
-  std::array<double, kLags.size()> correlation(double roughest);
-
+  /// Each bin's deviation; the blocks' depths differ within it, and are made up for by `sigma`. axial: see
+  /// BlockResiduals::deviationAlong.
+  void findDeviations(const SigmaShape& sigma, double axial);
+  /// Median of BlockResiduals::kept of the blocks with at most twice their bin's deviation. Bins full of clutter are
+  /// left out. Not without bins.
+  std::array<double, kScales - 1> kept(const SigmaShape& sigma, double axial);
   /// Blocks of half the size fit between the clutter: each bin's deviation is lowered to at most 1.1 times what such
-  /// blocks show. Only for errors whose correlation length is small against the half-size block too.
-  void guardAgainstClutter();
+  /// blocks show at its depth. kept: share of the mean square in one of the bins' blocks that is left in theirs.
+  void guardAgainstClutter(const std::vector<BlockResiduals>& halves, double axial, double kept);
 
  private:
   struct Place {
@@ -47,12 +57,11 @@ class DepthBins {
     bool operator<(const Place& other) const { return bin != other.bin ? bin < other.bin : block < other.block; }
   };
 
-  const PlacedBlock& block(std::size_t i) const { return (*blocks_)[static_cast<std::size_t>(places_[i].block)]; }
-  void summarize(DepthBin& bin);
-  double clutterLimit();
-  double correlationAt(std::size_t lag, double roughest, double clutter_limit);
+  const BlockResiduals& block(std::size_t i) const { return (*blocks_)[static_cast<std::size_t>(places_[i].block)]; }
+  void describe(DepthBin& bin);
+  double clutterLimit(const SigmaShape& sigma);
 
-  const std::vector<PlacedBlock>* blocks_ = nullptr;
+  const std::vector<BlockResiduals>* blocks_ = nullptr;
   std::vector<Place> places_;  // of the blocks, by bin
   std::vector<DepthBin> bins_;
   std::vector<double> values_;  // to find quantiles of

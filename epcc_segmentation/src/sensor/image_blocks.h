@@ -2,7 +2,6 @@
 // The flat blocks of a frame, or of a part of it.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -11,15 +10,7 @@
 
 namespace epcc {
 
-constexpr int kMaxBlocks = 120;
-
-struct PlacedBlock {
-  int row, column;
-  BlockResiduals residuals;
-  std::array<double, 2> half_deviations;  ///< of two blocks of half the size within it, metres; kUnmeasured
-};
-
-constexpr double kUnmeasured = -1.0;
+constexpr int kMaxBlocks = 150;
 
 /// The share of the blocks that one frame measures: those whose number leaves `phase` when divided by `phases`.
 struct Turn {
@@ -31,24 +22,24 @@ struct Turn {
 /// the same size; keeps its memory.
 class ImageBlocks {
  public:
-  ImageBlocks() { blocks_.reserve(kMaxBlocks); }
+  ImageBlocks() { flat_.reserve(kMaxBlocks); }
   /// Forgets what was measured.
   void begin(int block_size);
   void measure(const InverseDepthImage& image, const Turn& turn);
-  /// The halves of those blocks whose halves have not been measured or left out; on the image they were measured on.
-  void measureHalves(const InverseDepthImage& image);
-  void leaveOutHalves() { halves_done_ = blocks_.size(); }
+
+  /// Places of the blocks, flat or not.
+  static int placeCount(const InverseDepthImage& image, int block_size);
+  static BlockPlace place(const InverseDepthImage& image, int block_size, int number);
 
   int blockSize() const { return block_size_; }
-  const std::vector<PlacedBlock>& flat() const { return blocks_; }
+  const std::vector<BlockResiduals>& flat() const { return flat_; }
   /// How many blocks were looked at, flat or not.
   std::size_t lookedAt() const { return looked_at_; }
 
  private:
   int block_size_ = 0;
   std::size_t looked_at_ = 0;
-  std::size_t halves_done_ = 0;
-  std::vector<PlacedBlock> blocks_;
+  std::vector<BlockResiduals> flat_;
 };
 
 }  // namespace epcc

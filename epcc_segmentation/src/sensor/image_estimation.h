@@ -3,10 +3,12 @@
 // sigma_z(z).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "epcc_segmentation/sensor_estimation.h"
 #include "inverse_depth/inverse_depth_image.h"
+#include "sensor/blotch_fit.h"
 #include "sensor/depth_bins.h"
 #include "sensor/image_blocks.h"
 #include "sensor/sigma_fit.h"
@@ -21,26 +23,32 @@ class ImageEstimation {
   SensorEstimate whole(const InverseDepthImage& image);
 
   /// Begins anew, with blocks of this size.
-  void begin(int block_size) { blocks_.begin(block_size); }
-  /// A share of the blocks. Those of half the size only tell of errors that are short against them.
-  void measure(const InverseDepthImage& image, const Turn& turn, bool with_halves);
+  void begin(int block_size);
+  /// A share of the blocks.
+  void measure(const InverseDepthImage& image, const Turn& turn);
   /// Of what was measured since begin(), on images of this geometry.
-  SensorEstimate estimate(const InverseDepthImage& image) { return estimate(image, false); }
-  /// Blocks looked at since begin(), flat or not.
-  std::size_t lookedAt() const { return blocks_.lookedAt(); }
+  SensorEstimate estimate(const InverseDepthImage& image);
+  /// The same, and what it comes from but for the autocorrelation.
+  SensorMeasurement describe(const InverseDepthImage& image);
+  /// Blocks of both sizes looked at since begin(), flat or not.
+  std::size_t lookedAt() const { return blocks_.lookedAt() + halves_.lookedAt(); }
 
   /// Side of the blocks that an image of this size is measured with first.
   static int blockSize(int width, int height);
-  /// Used where the larger ones find nothing.
-  static constexpr int kSmallBlock = 16;
+  /// Of those that are used where the first ones find nothing.
+  static int otherSize(int block_size);
 
  private:
-  SensorEstimate estimate(const InverseDepthImage& image, bool halves_are_missing);
-  void findTargets(double sigma_over_residual, double place);
+  void findTargets(double blotchy, double place);
 
   ImageBlocks blocks_;
+  ImageBlocks halves_;  // of half the size, spread over the image by themselves
   DepthBins bins_;
   std::vector<SigmaTarget> targets_;
+  SigmaFitter fitter_;
+  // of the last round
+  Blotches blotches_;
+  std::array<double, kScales - 1> kept_{};
 };
 
 }  // namespace epcc

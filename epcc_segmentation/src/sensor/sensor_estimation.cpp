@@ -7,57 +7,50 @@
 #include <cmath>
 
 #include "geometry/sensor_cloud.h"
-#include "sensor/fitted_blotches.h"
 #include "sensor/image_estimation.h"
 
 namespace epcc {
 
 namespace {
 
-// Sigma of the model over a low quantile of the error. A block's residuals tell white noise to a few percent, those of
-// blotches scatter from block to block; noise counts as blotches from this correlation with the next pixel on.
-constexpr double kSigmaOverWhite = 1.7;
-constexpr double kSigmaOverBlotches = 2.6;
-constexpr double kBlotchCorrelation = 0.3;
-// Blocks that tell the correlation, in deviations of their bin. Blotches as long as a block leave some blocks flat and
-// uncorrelated by chance, so that all but the clutter must speak; short ones leave all alike, and the flattest have the
-// least clutter.
-constexpr double kFlatBlock = 1.5;
-constexpr double kFlattestBlock = 1.2;
-constexpr double kLongCorrelation = 0.14;  // at a quarter of the block: half-size blocks would hardly see the error
-constexpr double kLengthOverFit = 1.2;     // a block shows a length of 8 px as 6.7
-constexpr double kMaxLengthOfImage = 1.0 / 67;
-constexpr double kMinBlotch = 1.5;
-constexpr double kMaxBinWeight = 20.0;
 constexpr int kLargeBlock = 32;
-constexpr int kSmallImage = 400;  // longer side, pixels
+constexpr int kSmallBlock = 16;
+constexpr int kSmallImage = 200;  // shorter side, pixels
+constexpr int kRounds = 3;
+
+// An effective length of 0.4 is that of grain alone.
+constexpr double kGrain = 0.4;
+constexpr double kBlotchy = 0.7;
+// Sigma of the model over that of the error, if it is blotches: their residuals scatter from block to block.
+constexpr double kSigmaOverBlotches = 2.4;
+constexpr double kSigmaOverSteps = 2.6;
+constexpr double kPlaceOfBlotch = 1.2;
+constexpr double kMaxBinWeight = 20.0;
+
+// The length that the model is given grows more slowly than that of the error, and the image must hold about 69 faces
+// of minimal evidence.
+constexpr double kLengthFactor = 1.9;
+constexpr double kLengthPower = 0.8;
+constexpr double kLeastLength = 1.5;
+constexpr double kFacesOfImage = 69.0;
 
 /// Standard deviation of an even distribution over an interval of this width.
 double evenDeviation(double width) {
   return width / std::sqrt(12.0);
 }
 
-bool isWhite(const std::array<double, kLags.size()>& correlation, int block_size) {
-  return block_size < kLargeBlock ? correlation[0] < 0.30 : correlation[0] < 0.45 || correlation[1] < 0.35;
+double largestLength(double width, double height) {
+  return std::sqrt(width * height) / kFacesOfImage;
 }
 
-double sigmaOverError(double next_pixel_correlation) {
-  const double share = std::clamp(next_pixel_correlation / kBlotchCorrelation, 0.0, 1.0);
-  return kSigmaOverWhite + share * (kSigmaOverBlotches - kSigmaOverWhite);
-}
-
-/// What the model is to say at the bin. Three errors: what is seen; at least the quantisation of the depth, which flat
-/// blocks may hide and whose terraces are blotches; and the place of a value, which is known to a blotch, or a pixel,
-/// on surfaces of any slope.
-double targetSigma(const DepthBin& bin, double sigma_over_residual, double place) {
-  const double seen = std::max(sigma_over_residual * bin.deviation, kSigmaOverBlotches * evenDeviation(bin.step));
-  return std::hypot(seen, place * bin.depth);
+double lengthOfModel(double effective_length, double largest) {
+  return std::min(std::max(kLeastLength, kLengthFactor * std::pow(effective_length, kLengthPower)), largest);
 }
 
 /// Where nothing was measured.
-SensorEstimate genericEstimate(double longer_side) {
+SensorEstimate genericEstimate(double width, double height) {
   SensorEstimate estimate;
-  estimate.correlation_length = std::min(6.0, longer_side / 100.0);
+  estimate.correlation_length = std::min(6.0, largestLength(width, height));
   return estimate;
 }
 
@@ -70,72 +63,108 @@ SensorEstimate estimateSensor(const DepthFrame& frame) {
   return ImageEstimation().whole(image);
 }
 
-ImageEstimation::ImageEstimation() {
+ImageEstimation::ImageEstimation() : fitter_(kMaxBlocks) {
   targets_.reserve(kMaxBlocks);
   blotchTable(kLargeBlock);  // so that no later frame has to build it
 }
 
 int ImageEstimation::blockSize(int width, int height) {
-  return std::max(width, height) < kSmallImage ? kSmallBlock : kLargeBlock;
+  return std::min(width, height) < kSmallImage ? kSmallBlock : kLargeBlock;
+}
+
+int ImageEstimation::otherSize(int block_size) {
+  return block_size == kLargeBlock ? kSmallBlock : kLargeBlock;
+}
+
+void ImageEstimation::begin(int block_size) {
+  blocks_.begin(block_size);
+  halves_.begin(block_size / 2);
+}
+
+void ImageEstimation::measure(const InverseDepthImage& image, const Turn& turn) {
+  blocks_.measure(image, turn);
+  if (blocks_.blockSize() == kLargeBlock) halves_.measure(image, turn);
 }
 
 SensorEstimate ImageEstimation::whole(const InverseDepthImage& image) {
-  if (image.width <= 0 || image.height <= 0) return genericEstimate(0.0);
-  begin(blockSize(image.width, image.height));
-  blocks_.measure(image, Turn());
-  const SensorEstimate result = estimate(image, true);
-  if (result.blocks > 0 || blocks_.blockSize() == kSmallBlock) return result;
-  begin(kSmallBlock);
-  blocks_.measure(image, Turn());
-  return estimate(image, true);
-}
-
-void ImageEstimation::measure(const InverseDepthImage& image, const Turn& turn, bool with_halves) {
-  blocks_.measure(image, turn);
-  if (with_halves)
-    blocks_.measureHalves(image);
-  else
-    blocks_.leaveOutHalves();
-}
-
-SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image, bool halves_are_missing) {
-  const double longer_side = std::max(image.width, image.height);
-  const int size = blocks_.blockSize();
-  SensorEstimate result = genericEstimate(longer_side);
-  bins_.sort(blocks_.flat());
-  if (bins_.empty()) return result;
-  result.blocks = bins_.blockCount();
-
-  const auto correlation = bins_.correlation(kFlatBlock);
-  Blotches blotches;
-  result.noise_class = NoiseClass::White;
-  result.correlation_length = 1.0;
-  if (!isWhite(correlation, size)) {
-    const bool is_long = correlation[size < kLargeBlock ? 2 : 3] > kLongCorrelation;
-    result.noise_class = is_long ? NoiseClass::Long : NoiseClass::Mid;
-    blotches = blotchTable(size).fit(is_long ? correlation : bins_.correlation(kFlattestBlock));
-    result.correlation_length =
-        std::max(kMinBlotch, std::min(kLengthOverFit * blotches.length, kMaxLengthOfImage * longer_side));
-  }
-  if (result.noise_class != NoiseClass::Long) {
-    if (halves_are_missing) blocks_.measureHalves(image);
-    bins_.guardAgainstClutter();
-  }
-  findTargets(sigmaOverError(correlation[0]) * blotches.errorOverResidual(),
-              blotches.length * std::sqrt(image.placeVariance()));
-  const SigmaFit fit = fitSigma(targets_);
-  if (fit.a + fit.b > 0.0) {
-    result.a = fit.a;
-    result.b = fit.b;
+  if (image.width <= 0 || image.height <= 0) return genericEstimate(0.0, 0.0);
+  const int first = blockSize(image.width, image.height);
+  SensorEstimate result;
+  for (const int size : {first, otherSize(first)}) {
+    begin(size);
+    measure(image, Turn());
+    result = estimate(image);
+    if (result.blocks > 0) break;
   }
   return result;
 }
 
-void ImageEstimation::findTargets(double sigma_over_residual, double place) {
+SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
+  SensorEstimate result = genericEstimate(image.width, image.height);
+  bins_.sort(blocks_.flat());
+  if (bins_.empty()) return result;
+  const BlotchTable& table = blotchTable(blocks_.blockSize());
+  SigmaShape sigma;
+  double blotchy = 1.0;
+  for (int round = 0; round < kRounds; ++round) {
+    bins_.findDeviations(sigma, 1.0 - blotchy);
+    kept_ = bins_.kept(sigma, 1.0 - blotchy);
+    blotches_ = table.fit(kept_);
+    const double effective_length = blotches_.effectiveLength();
+    blotchy = std::clamp((effective_length - kGrain) / (kBlotchy - kGrain), 0.0, 1.0);
+    // Grain is an error along the ray, blotches are one across the surface.
+    bins_.findDeviations(sigma, 1.0 - blotchy);
+    if (blocks_.blockSize() == kLargeBlock) bins_.guardAgainstClutter(halves_.flat(), 1.0 - blotchy, kept_.back());
+    result.blotch_length = blotches_.length;
+    result.blotch_share = blotches_.share;
+    result.effective_length = effective_length;
+    result.correlation_length = lengthOfModel(effective_length, largestLength(image.width, image.height));
+    findTargets(blotchy, kPlaceOfBlotch * blotchy * result.correlation_length * std::sqrt(image.placeVariance()));
+    if (targets_.empty()) return genericEstimate(image.width, image.height);
+    const SigmaFit fit = fitter_.fit(targets_);
+    result.a = fit.a;
+    result.b = fit.b;
+    sigma = {fit.a, fit.b, true};
+  }
+  result.blocks = bins_.blockCount();
+  return result;
+}
+
+SensorMeasurement ImageEstimation::describe(const InverseDepthImage& image) {
+  SensorMeasurement result;
+  result.estimate = estimate(image);
+  if (result.estimate.blocks == 0) return result;
+  for (const BlockResiduals& block : blocks_.flat()) result.blocks.push_back({block.depth, block.deviation});
+  for (std::size_t i = 0, target = 0; i < bins_.size(); ++i) {
+    const DepthBin& bin = bins_[i];
+    const bool has_target = target < targets_.size() && targets_[target].depth == bin.depth;
+    const double sigma = has_target ? std::exp(targets_[target++].log_sigma) : 0.0;
+    result.bins.push_back({bin.depth, bin.deviation * std::sqrt(blotches_.variance), sigma, bin.end - bin.begin});
+  }
+  const double blotches = blotches_.fitted * blotches_.variance;
+  result.grain = blotches_.variance - blotches;
+  result.blotches = blotches;
+  for (std::size_t scale = 0; scale < kScales; ++scale) {
+    const int side = blocks_.blockSize() >> (kScales - 1 - scale);
+    result.sides[scale] = side;
+    result.kept[scale] = scale + 1 < kScales ? kept_[scale] : 1.0;
+    result.kept_fit[scale] =
+        result.grain * keptByQuadric(0.0, side) + result.blotches * keptByQuadric(blotches_.length, side);
+  }
+  return result;
+}
+
+/// What the model is to say at each bin. Three errors: what is seen; at least the quantisation of the depth, which flat
+/// blocks may hide; and the place of a value, which is known to a blotch on surfaces of any slope.
+void ImageEstimation::findTargets(double blotchy, double place) {
   targets_.clear();
-  for (std::size_t i = 0; i < bins_.size(); ++i)
-    targets_.push_back({bins_[i].depth, std::log(targetSigma(bins_[i], sigma_over_residual, place)),
-                        std::min(bins_[i].weight, kMaxBinWeight)});
+  const double over_residual = (1.0 + blotchy * (kSigmaOverBlotches - 1.0)) * std::sqrt(blotches_.variance);
+  for (std::size_t i = 0; i < bins_.size(); ++i) {
+    const DepthBin& bin = bins_[i];
+    const double seen = std::max(over_residual * bin.deviation, kSigmaOverSteps * evenDeviation(bin.step));
+    const double sigma = std::hypot(seen, place * bin.depth);
+    if (sigma > 0.0) targets_.push_back({bin.depth, std::log(sigma), std::min(bin.weight(), kMaxBinWeight)});
+  }
 }
 
 }  // namespace epcc

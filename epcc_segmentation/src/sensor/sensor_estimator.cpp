@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The model of a stream: medians and a majority over its last estimates.
+// The model of a stream: medians over its last estimates.
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "epcc_segmentation/sensor_estimation.h"
@@ -35,7 +34,6 @@ struct SensorEstimator::Stream {
   // the round
   std::size_t frame = 0;
   int block_size = 0;
-  bool with_halves = true;
   // the memory
   std::vector<SensorEstimate> estimates;
   std::size_t oldest = 0;
@@ -75,21 +73,19 @@ void SensorEstimator::Stream::measureWhole(const InverseDepthImage& next) {
   remember(latest);
 }
 
-// Large blocks come first, as in a whole image; a round that finds nothing with them is followed by one of small ones.
+// Blocks of one size come first, as in a whole image; a round that finds nothing with them is followed by one with
+// those of the other size.
 void SensorEstimator::Stream::measureTurn(const InverseDepthImage& next) {
-  if (frame == 0) {
-    estimation.begin(block_size);
-    with_halves = summary.noise_class != NoiseClass::Long;
-  }
+  if (frame == 0) estimation.begin(block_size);
   const std::size_t before = estimation.lookedAt();
-  estimation.measure(next, {static_cast<int>(frame), static_cast<int>(interval)}, with_halves);
+  estimation.measure(next, {static_cast<int>(frame), static_cast<int>(interval)});
   looked_at = estimation.lookedAt() - before;
   if (++frame < interval) return;
   frame = 0;
   const SensorEstimate latest = estimation.estimate(next);
   const int first_size = ImageEstimation::blockSize(width, height);
   const bool nothing_found = latest.blocks == 0 && block_size == first_size;
-  block_size = nothing_found ? ImageEstimation::kSmallBlock : first_size;
+  block_size = nothing_found ? ImageEstimation::otherSize(first_size) : first_size;
   remember(latest);
 }
 
@@ -107,23 +103,19 @@ void SensorEstimator::Stream::remember(const SensorEstimate& latest) {
 }
 
 void SensorEstimator::Stream::summarize() {
-  const auto median = [this](const auto& value_of) {
+  const auto median = [this](double SensorEstimate::*value) {
     values.clear();
-    for (const SensorEstimate& estimate : estimates) value_of(estimate);
+    for (const SensorEstimate& estimate : estimates) values.push_back(estimate.*value);
     return quantile(values, 0.5);
   };
-  std::array<int, 3> votes{};
   summary.blocks = 0;
-  for (const SensorEstimate& estimate : estimates) {
-    ++votes[static_cast<std::size_t>(estimate.noise_class)];
-    summary.blocks += estimate.blocks;
-  }
-  summary.noise_class = static_cast<NoiseClass>(std::max_element(votes.begin(), votes.end()) - votes.begin());
-  summary.correlation_length = median([this](const SensorEstimate& estimate) {
-    if (estimate.noise_class == summary.noise_class) values.push_back(estimate.correlation_length);
-  });
-  summary.a = median([this](const SensorEstimate& estimate) { values.push_back(estimate.a); });
-  summary.b = median([this](const SensorEstimate& estimate) { values.push_back(estimate.b); });
+  for (const SensorEstimate& estimate : estimates) summary.blocks += estimate.blocks;
+  summary.correlation_length = median(&SensorEstimate::correlation_length);
+  summary.blotch_length = median(&SensorEstimate::blotch_length);
+  summary.blotch_share = median(&SensorEstimate::blotch_share);
+  summary.effective_length = median(&SensorEstimate::effective_length);
+  summary.a = median(&SensorEstimate::a);
+  summary.b = median(&SensorEstimate::b);
 }
 
 SensorEstimator::SensorEstimator(std::size_t memory, std::size_t interval)

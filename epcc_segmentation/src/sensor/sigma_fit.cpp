@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pinball loss at all places of the grid.
+// Pinball loss: at a given shape, the best size is a weighted quantile.
 #include "sensor/sigma_fit.h"
 
 #include <algorithm>
@@ -10,69 +10,50 @@ namespace epcc {
 
 namespace {
 
-constexpr double kPinball = 0.3;
-constexpr int kSteps = 32;  // of the grid beside zero
-constexpr double kLeast = 1e-4;
-constexpr double kMost = 0.03;
+constexpr double kQuantile = 0.4;
+constexpr int kShapes = 13;          // from the floor alone to the growth alone
+constexpr double kPreference = 0.1;  // for the middle of them, a radian and unit of weight
+constexpr double kPi = 3.14159265358979323846;
 
-using Row = std::array<double, kSteps + 1>;
-
-/// Values of a and of b: zero, then evenly spaced on a logarithmic scale.
-struct Grid {
-  Row value{}, log_value{};
-  std::array<double, 2 * kSteps - 1> squared_ratio{};  // (a / b)^2 of values kSteps - 1, ..., -(kSteps - 1) steps apart
-
-  Grid() {
-    const double step = std::log(kMost / kLeast) / (kSteps - 1);
-    for (int i = 0; i < kSteps; ++i) {
-      value[i + 1] = kLeast * std::pow(kMost / kLeast, i / (kSteps - 1.0));
-      log_value[i + 1] = std::log(kLeast) + i * step;
-    }
-    for (int i = 0; i < 2 * kSteps - 1; ++i) squared_ratio[i] = std::exp(2.0 * (kSteps - 1 - i) * step);
+/// The least value that the values of kQuantile of the weight do not exceed.
+double weightedQuantile(std::vector<std::pair<double, double>>& values, double total) {
+  std::sort(values.begin(), values.end());
+  double weight = 0.0;
+  for (const auto& [value, its_weight] : values) {
+    weight += its_weight;
+    if (weight >= kQuantile * total) return value;
   }
-};
-
-const Grid& grid() {
-  static const Grid the_grid;
-  return the_grid;
-}
-
-void addLoss(double error, double weight, double& loss) {
-  loss += weight * std::max(kPinball * error, (kPinball - 1.0) * error);
-}
-
-/// Adds the target's loss at each a and b. log sqrt(a^2 + b^2 z^4) = log b + log sqrt((a/b)^2 + z^4), and the grid has
-/// few different a/b.
-void addLosses(const SigmaTarget& target, std::array<Row, kSteps + 1>& loss) {
-  const Grid& g = grid();
-  const double z2 = target.depth * target.depth;
-  const double log_z2 = 2.0 * std::log(target.depth);
-  std::array<double, 2 * kSteps - 1> log_part;
-  for (std::size_t i = 0; i < log_part.size(); ++i) log_part[i] = 0.5 * std::log(g.squared_ratio[i] + z2 * z2);
-  for (std::size_t j = 1; j <= kSteps; ++j)
-    addLoss(target.log_sigma - (g.log_value[j] + log_z2), target.weight, loss[0][j]);
-  for (std::size_t i = 1; i <= kSteps; ++i) {
-    addLoss(target.log_sigma - g.log_value[i], target.weight, loss[i][0]);
-    const double* part = log_part.data() + (kSteps - 1 - (i - 1));  // a and b alike are in the middle
-    for (std::size_t j = 1; j <= kSteps; ++j)
-      addLoss(target.log_sigma - (g.log_value[j] + part[j - 1]), target.weight, loss[i][j]);
-  }
+  return values.back().first;
 }
 
 }  // namespace
 
-SigmaFit fitSigma(const std::vector<SigmaTarget>& targets) {
-  std::array<Row, kSteps + 1> loss{};
-  for (const SigmaTarget& target : targets) addLosses(target, loss);
-  loss[0][0] = std::numeric_limits<double>::infinity();  // no error at all is none of the models
+SigmaFit SigmaFitter::fit(const std::vector<SigmaTarget>& targets) {
+  if (targets.empty()) return {};
+  double total = 0.0, log_depth = 0.0;
+  for (const SigmaTarget& target : targets) {
+    total += target.weight;
+    log_depth += target.weight * std::log(target.depth);
+  }
+  const double mean_depth = std::exp(log_depth / total);
   SigmaFit best;
   double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i <= kSteps; ++i)
-    for (std::size_t j = 0; j <= kSteps; ++j) {
-      if (loss[i][j] >= smallest) continue;
-      smallest = loss[i][j];
-      best = {grid().value[i], grid().value[j]};
+  for (int shape = 0; shape < kShapes; ++shape) {
+    const double angle = 0.5 * kPi * shape / (kShapes - 1);
+    const double floor = std::cos(angle), growth = std::sin(angle);
+    ratios_.clear();
+    for (const SigmaTarget& target : targets) {
+      const double z = target.depth / mean_depth;
+      ratios_.push_back({target.log_sigma - std::log(std::hypot(floor, growth * z * z)), target.weight});
     }
+    const double log_size = weightedQuantile(ratios_, total);
+    double loss = kPreference * total * std::abs(angle - 0.25 * kPi);
+    for (const auto& [ratio, weight] : ratios_)
+      loss += weight * std::max(kQuantile * (ratio - log_size), (kQuantile - 1.0) * (ratio - log_size));
+    if (loss >= smallest) continue;
+    smallest = loss;
+    best = {std::exp(log_size) * floor, std::exp(log_size) * growth / (mean_depth * mean_depth)};
+  }
   return best;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sensor model sigma_z(z) = sqrt(a^2 + b^2 z^4) that fits a few depths.
+// The sensor model sigma_z(z) = sqrt(a^2 + b^2 z^4) that fits a few depths, whatever the unit of length.
 #pragma once
 
-#include <array>
+#include <utility>
 #include <vector>
 
 namespace epcc {
@@ -18,8 +18,16 @@ struct SigmaFit {
   double b = 0.0;  ///< 1/m
 };
 
-/// Best on a grid of a and b, 0 and 32 values from 0.1 to 30 mm and per mille each, by a quantile of the logarithm:
-/// below the median, for clutter only enlarges the targets. Both 0 if no target is finite.
-SigmaFit fitSigma(const std::vector<SigmaTarget>& targets);
+/// sigma = S sqrt(cos^2 phi + sin^2 phi (z/z0)^4), z0 the mean depth, best by a quantile of the logarithm: below the
+/// median, for clutter only enlarges the targets. What the depths do not tell is left half and half. Keeps its memory.
+class SigmaFitter {
+ public:
+  explicit SigmaFitter(std::size_t most_targets) { ratios_.reserve(most_targets); }
+  /// Both 0 if there is no target.
+  SigmaFit fit(const std::vector<SigmaTarget>& targets);
+
+ private:
+  std::vector<std::pair<double, double>> ratios_;  // ln of target over shape, weight
+};
 
 }  // namespace epcc

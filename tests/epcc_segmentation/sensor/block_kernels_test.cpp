@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -21,7 +20,7 @@ namespace {
 enum class Kind { Noisy, Holes, Constant, Step };
 
 /// A gathered block, tilted, of the kind; centred as blocks are.
-BlockSamples blockOf(Kind kind, int side, unsigned seed) {
+BlockSamples blockOf(Kind kind, int side, unsigned seed, const BlockRays& rays) {
   std::mt19937 generator(seed);
   std::normal_distribution<float> normal;
   std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
@@ -37,18 +36,28 @@ BlockSamples blockOf(Kind kind, int side, unsigned seed) {
     }
   BlockSamples samples;
   gatherBlock(w.data(), static_cast<std::size_t>(side), side, samples);
-  subtractCentre(0.5f, samples);
+  subtractCentre(0.5f, rays, samples);
   return samples;
 }
 
-const SamplePlane kPlane = {0.00098f, -0.0021f, 0.003f};
-constexpr float kGate = 0.0031f;
+/// Those of a scan with uneven rings.
+BlockRays raysOf(int side) {
+  BlockRays rays = {};
+  for (int i = 0; i < side; ++i) {
+    const float t = (2.0f * static_cast<float>(i) - static_cast<float>(side - 1)) / static_cast<float>(side - 1);
+    rays.x[i] = t;
+    rays.forward[i] = 1.0f - 0.02f * t * t;
+    rays.y[i] = t + 0.1f * t * t - 0.1f;
+  }
+  return rays;
+}
 
-float residual(const BlockSamples& samples, const SamplePlane& plane, int x, int y) {
-  const float middle = 0.5f * static_cast<float>(samples.side - 1);
-  const float along_x = plane.tilt_x * (static_cast<float>(x) - middle);
-  const float rest = plane.tilt_y * (static_cast<float>(y) - middle) + plane.value;
-  return samples.w[y * samples.pitch + x] - (along_x + rest);
+const SamplePlane kPlane = {0.013f, -0.03f, 0.003f};
+constexpr float kGate = 0.0081f;
+
+float residual(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, int x, int y) {
+  const float along_columns = plane.x * rays.x[x] + plane.forward * rays.forward[x];
+  return samples.w[y * samples.pitch + x] - (along_columns + plane.y * rays.y[y]);
 }
 
 void expectSameBits(const float* found, const float* expected, int count, const std::string& what) {
@@ -66,7 +75,7 @@ class BlockKernels : public ::testing::Test {
       ASSERT_TRUE(setVectorUnit(unit));
       for (const Kind kind : {Kind::Noisy, Kind::Holes, Kind::Constant, Kind::Step})
         for (const int side : {4, 8, 11, 15, 16, 17, 24, 31, 32})
-          check(blockOf(kind, side, 7),
+          check(blockOf(kind, side, 7, raysOf(side)), raysOf(side),
                 unit + ", kind " + std::to_string(static_cast<int>(kind)) + ", side " + std::to_string(side));
     }
   }
@@ -101,22 +110,27 @@ TEST_F(BlockKernels, ABlockIsGatheredWithItsHolesAndThinnedToAQuarter) {
           }
         EXPECT_EQ(all->valid, valid) << what;
         EXPECT_EQ(quarter->valid, valid_of_quarter) << what;
-        subtractCentre(0.25f, *all);
-        EXPECT_EQ(all->centre, 0.25f);
-        EXPECT_EQ(all->w[0], (image[0] > 0.0f ? image[0] : kNowhere) - 0.25f) << what;
+        for (int i = 0; i < kRowOfVector; ++i) EXPECT_EQ(all->w[side * all->pitch + i], kNowhere) << what;
+        const BlockRays rays = raysOf(side);
+        subtractCentre(0.25f, rays, *all);
+        for (int x = 0; x < side; ++x)
+          EXPECT_EQ(all->w[x],
+                    (image[static_cast<std::size_t>(x)] > 0.0f ? image[static_cast<std::size_t>(x)] : kNowhere) -
+                        0.25f * rays.forward[x])
+              << what;
       }
   }
 }
 
 TEST_F(BlockKernels, SumsOverTheInliersAreThoseOfALoop) {
-  onEveryUnit([](const BlockSamples& samples, const std::string& what) {
+  onEveryUnit([](const BlockSamples& samples, const BlockRays& rays, const std::string& what) {
     ColumnSums found;
-    sumInliers(samples, kPlane, kGate, found);
+    sumInliers(samples, rays, kPlane, kGate, found);
     ColumnSums expected{};
     for (int x = 0; x < samples.side; ++x)
       for (int y = 0; y < samples.side; ++y) {
-        const float e = residual(samples, kPlane, x, y);
-        const float t = static_cast<float>(y) - 0.5f * static_cast<float>(samples.side - 1);
+        const float e = residual(samples, rays, kPlane, x, y);
+        const float t = rays.y[y];
         if (!(std::abs(e) <= kGate)) continue;
         expected.n[x] += 1.0f;
         expected.y[x] += t;
@@ -133,10 +147,10 @@ TEST_F(BlockKernels, SumsOverTheInliersAreThoseOfALoop) {
 }
 
 TEST_F(BlockKernels, ResidualOfARankIsTheOrderedOneToHalfAPercent) {
-  onEveryUnit([](const BlockSamples& samples, const std::string& what) {
+  onEveryUnit([](const BlockSamples& samples, const BlockRays& rays, const std::string& what) {
     std::vector<float> sizes;
     for (int x = 0; x < samples.side; ++x)
-      for (int y = 0; y < samples.side; ++y) sizes.push_back(std::abs(residual(samples, kPlane, x, y)));
+      for (int y = 0; y < samples.side; ++y) sizes.push_back(std::abs(residual(samples, rays, kPlane, x, y)));
     std::sort(sizes.begin(), sizes.end());
     constexpr float kLargest = 0.5f;
     for (const double share : {0.0, 0.3, 0.68, 0.8}) {
@@ -147,77 +161,43 @@ TEST_F(BlockKernels, ResidualOfARankIsTheOrderedOneToHalfAPercent) {
         const auto below = std::upper_bound(sizes.begin(), sizes.end(), expected * half) - sizes.begin();
         if (below > rank) expected *= half;
       }
-      const float found = residualOfRank(samples, kPlane, rank, kLargest);
+      const float found = residualOfRank(samples, rays, kPlane, rank, kLargest);
       EXPECT_EQ(found, expected) << what;
       const float ordered = sizes[static_cast<std::size_t>(rank)];
       EXPECT_GE(found, ordered * 0.99999f) << what;
       EXPECT_LE(found, std::max(ordered * 1.005f, kLargest * 6.1e-8f)) << what;
     }
-    EXPECT_EQ(residualOfRank(samples, {0.0f, 0.0f, 9.0f}, samples.valid / 2, kLargest), kLargest) << what;
+    EXPECT_EQ(residualOfRank(samples, rays, {0.0f, 0.0f, 20.0f}, samples.valid / 2, kLargest), kLargest) << what;
   });
 }
 
-TEST_F(BlockKernels, ResidualsAndTheirPairsAreThoseOfALoop) {
-  const auto errors = std::make_unique<BlockErrors>();
-  onEveryUnit([&](const BlockSamples& samples, const std::string& what) {
-    std::fill(std::begin(errors->e), std::end(errors->e), std::numeric_limits<float>::quiet_NaN());  // as of others
-    std::fill(std::begin(errors->inlier), std::end(errors->inlier), 1.0f);
-    ErrorSums found;
-    residualsOf(samples, kPlane, kGate, *errors, found);
-    ErrorSums expected{};
-    const int side = samples.side;
-    std::vector<float> e(static_cast<std::size_t>(side) * side), inlier(e.size());
-    const auto at = [side](int x, int y) { return static_cast<std::size_t>(y * side + x); };
-    for (int x = 0; x < side; ++x)
-      for (int y = 0; y < side; ++y) {
-        const float error = residual(samples, kPlane, x, y);
-        if (!(std::abs(error) <= kGate)) continue;
-        e[at(x, y)] = error;
-        inlier[at(x, y)] = 1.0f;
-        expected.n[x] += 1.0f;
-        expected.w[x] += samples.w[y * samples.pitch + x];
-        expected.ee[x] += error * error;
-      }
-    expectSameBits(found.n, expected.n, samples.pitch, what);
-    expectSameBits(found.w, expected.w, samples.pitch, what);
-    expectSameBits(found.ee, expected.ee, samples.pitch, what);
-
-    const LagSums sums = sumLags(*errors);
-    for (std::size_t k = 0; k < kLags.size(); ++k) {
-      const int lag = kLags[k];
-      const auto pooled = [&](const std::vector<float>& f) {
-        double sum = 0.0;
-        for (int x = 0; x < side; ++x) {
-          float column = 0.0f;
-          for (int y = 0; y < side; ++y) {
-            const float right = x + lag < side ? f[at(x, y)] * f[at(x + lag, y)] : 0.0f;
-            const float below = y + lag < side ? f[at(x, y)] * f[at(x, y + lag)] : 0.0f;
-            column += right + below;
-          }
-          sum += static_cast<double>(column);
-        }
-        return sum;
-      };
-      EXPECT_EQ(sums.products[k], pooled(e)) << what << ", lag " << lag;
-      EXPECT_EQ(sums.pairs[k], pooled(inlier)) << what << ", lag " << lag;
-    }
-  });
-}
-
-TEST_F(BlockKernels, TheSmallestGapIsTheStepOfQuantisedValues) {
+TEST_F(BlockKernels, TheSmallestStepIsThatOfQuantisedValues) {
+  constexpr int kSide = 17;  // the last column has a vector of its own
+  const auto samples = std::make_unique<BlockSamples>();
   for (const std::string& unit : vectorUnits()) {
     ASSERT_TRUE(setVectorUnit(unit));
-    std::vector<float> values;
-    EXPECT_EQ(smallestGap(values.data(), 0), 0.0f) << unit;
-    for (int i = 0; i < 200; ++i) {
-      values.push_back(1.0f + 0.125f * static_cast<float>(i / 3));
-      EXPECT_EQ(smallestGap(values.data(), i + 1), i < 3 ? 0.0f : 0.125f) << unit << ", " << i;
-    }
-    values.push_back(values.back() + 0.0625f);  // the last of all is the nearest
-    EXPECT_EQ(smallestGap(values.data(), 201), 0.0625f) << unit;
-    values[201 - 1] = std::nextafter(values[199], 100.0f);  // rounding
-    EXPECT_EQ(smallestGap(values.data(), 201), 0.125f) << unit;
+    std::vector<float> w(kSide * kSide, 1.0f);
+    const auto step = [&] {
+      gatherBlock(w.data(), kSide, kSide, *samples);
+      return smallestStep(*samples);
+    };
+    EXPECT_EQ(step(), 0.0f) << unit;
+    w[5 * kSide + 4] = std::nextafter(1.0f, 2.0f);  // rounding
+    w[7 * kSide + 3] = 0.0f;                        // a hole
+    EXPECT_EQ(step(), 0.0f) << unit;
+    for (int i = 0; i < kSide * kSide; ++i) w[static_cast<std::size_t>(i)] += 0.125f * static_cast<float>(i % 7 / 3);
+    EXPECT_NEAR(step(), 0.125f, 1e-6f) << unit;
+    w.back() += 0.0625f;  // the last of all is the nearest
+    EXPECT_NEAR(step(), 0.0625f, 1e-6f) << unit;
   }
+}
+
+TEST_F(BlockKernels, NoStepIsSeenWhereNoTwoSamplesAreBesideEachOther) {
+  const auto samples = std::make_unique<BlockSamples>();
+  std::vector<float> w(256, 0.0f);
+  for (std::size_t i = 0; i < w.size(); i += 3) w[i] = 0.5f + 0.001f * static_cast<float>(i);
+  gatherBlock(w.data(), 16, 16, *samples);
+  EXPECT_EQ(smallestStep(*samples), 0.0f);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(SensorMemory, IsAllThereAfterTheFirstFrame) {
     const int height = width * 3 / 4;
     const InverseDepthImage white = imageWith(0.003, width, height);
     const InverseDepthImage blotchy = blotchyImage(0.003, width, height);
-    ASSERT_NE(SensorEstimator().update(white).noise_class, SensorEstimator().update(blotchy).noise_class);
+    ASSERT_LT(SensorEstimator().update(white).blotch_share, SensorEstimator().update(blotchy).blotch_share);
     SensorEstimator estimator(6, 3);
     estimator.update(white);
     test::forgetAllocations();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fit of the sensor model is the best of its grid.
+// The fit of the sensor model: the best of its shapes, in any unit of length.
 #include "sensor/sigma_fit.h"
 
 #include <gtest/gtest.h>
@@ -12,49 +12,85 @@
 namespace epcc {
 namespace {
 
-/// The definition: a logarithm for every target, a and b.
-SigmaFit bruteForce(const std::vector<SigmaTarget>& targets) {
-  std::vector<double> grid = {0.0};
-  for (int i = 0; i < 32; ++i) grid.push_back(1e-4 * std::pow(300.0, i / 31.0));
-  SigmaFit best;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const double a : grid)
-    for (const double b : grid) {
-      if (a + b <= 0.0) continue;
-      double loss = 0.0;
-      for (const SigmaTarget& target : targets) {
-        const double z2 = target.depth * target.depth;
-        const double e = target.log_sigma - 0.5 * std::log(a * a + b * b * z2 * z2);
-        loss += target.weight * (e > 0.0 ? 0.3 * e : -0.7 * e);
-      }
-      if (loss >= smallest) continue;
-      smallest = loss;
-      best = {a, b};
-    }
-  return best;
+constexpr double kPi = 3.14159265358979323846;
+
+std::vector<SigmaTarget> someTargets(unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<SigmaTarget> targets(1 + seed % 9);
+  const double a = 1e-4 * std::pow(200.0, uniform(generator)), b = 1e-4 * std::pow(200.0, uniform(generator));
+  for (SigmaTarget& target : targets) {
+    target.depth = 0.4 * std::pow(20.0, uniform(generator));
+    const double b_z2 = b * target.depth * target.depth;
+    target.log_sigma = std::log(std::hypot(a, b_z2)) + 0.4 * uniform(generator);
+    target.weight = 4.0 + 16.0 * uniform(generator);
+  }
+  return targets;
 }
 
-TEST(SigmaFit, IsTheBestOfTheGrid) {
-  std::mt19937 generator(3);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (int trial = 0; trial < 300; ++trial) {
-    std::vector<SigmaTarget> targets(1 + trial % 9);
-    const double a = 1e-4 * std::pow(200.0, uniform(generator)), b = 1e-4 * std::pow(200.0, uniform(generator));
-    for (SigmaTarget& target : targets) {
-      target.depth = 0.4 * std::pow(20.0, uniform(generator));
-      const double b_z2 = b * target.depth * target.depth;
-      target.log_sigma = std::log(std::hypot(a, b_z2)) + 0.4 * uniform(generator);
-      target.weight = 4.0 + 16.0 * uniform(generator);  // no whole numbers: places of the grid would be equally good
+double loss(const std::vector<SigmaTarget>& targets, double a, double b) {
+  double depth = 0.0, total = 0.0, sum = 0.0;
+  for (const SigmaTarget& target : targets) {
+    depth += target.weight * std::log(target.depth);
+    total += target.weight;
+    const double e = target.log_sigma - std::log(std::hypot(a, b * target.depth * target.depth));
+    sum += target.weight * (e > 0.0 ? 0.4 * e : -0.6 * e);
+  }
+  const double z0 = std::exp(depth / total);
+  return sum + 0.1 * total * std::abs(std::atan2(b * z0 * z0, a) - 0.25 * kPi);
+}
+
+TEST(SigmaFit, NoOtherSizeAtAnyOfItsShapesIsBetter) {
+  SigmaFitter fitter(16);
+  for (unsigned trial = 0; trial < 100; ++trial) {
+    const auto targets = someTargets(trial);
+    const SigmaFit found = fitter.fit(targets);
+    const double least = loss(targets, found.a, found.b);
+    double depth = 0.0, total = 0.0;
+    for (const SigmaTarget& target : targets) {
+      depth += target.weight * std::log(target.depth);
+      total += target.weight;
     }
-    const SigmaFit found = fitSigma(targets);
-    const SigmaFit expected = bruteForce(targets);
-    EXPECT_DOUBLE_EQ(found.a, expected.a) << trial;
-    EXPECT_DOUBLE_EQ(found.b, expected.b) << trial;
+    const double z0 = std::exp(depth / total);
+    for (int shape = 0; shape < 13; ++shape)
+      for (double size = 1e-5; size < 1e3; size *= 1.02) {
+        const double a = size * std::cos(shape * kPi / 24.0), b = size * std::sin(shape * kPi / 24.0) / (z0 * z0);
+        EXPECT_GE(loss(targets, a, b), least - 1e-9) << trial;
+      }
   }
 }
 
-TEST(SigmaFit, WithoutAFiniteTargetThereIsNone) {
-  const SigmaFit fit = fitSigma({{1.0, std::numeric_limits<double>::infinity(), 5.0}});
+TEST(SigmaFit, InAnotherUnitOfLengthItIsTheSame) {
+  SigmaFitter fitter(16);
+  for (unsigned trial = 0; trial < 30; ++trial) {
+    auto targets = someTargets(trial);
+    const SigmaFit metres = fitter.fit(targets);
+    for (SigmaTarget& target : targets) {
+      target.depth *= 1000.0;
+      target.log_sigma += std::log(1000.0);
+    }
+    const SigmaFit millimetres = fitter.fit(targets);
+    EXPECT_NEAR(millimetres.a, metres.a * 1000.0, 1e-9 * millimetres.a) << trial;
+    EXPECT_NEAR(millimetres.b, metres.b / 1000.0, 1e-9 * metres.b) << trial;
+  }
+}
+
+TEST(SigmaFit, FloorAndGrowthAreToldApartIfTheDepthsDo) {
+  SigmaFitter fitter(16);
+  for (const bool grows : {false, true}) {
+    std::vector<SigmaTarget> targets;
+    for (const double z : {0.5, 0.8, 1.2, 2.0, 3.0, 5.0})
+      targets.push_back({z, std::log(grows ? 0.003 * z * z : 0.01), 10.0});
+    const SigmaFit fit = fitter.fit(targets);
+    for (const double z : {0.5, 5.0})
+      EXPECT_NEAR(std::hypot(fit.a, fit.b * z * z) / (grows ? 0.003 * z * z : 0.01), 1.0, 0.15) << grows << ", " << z;
+  }
+  const SigmaFit one = fitter.fit({{2.0, std::log(0.01), 5.0}});
+  EXPECT_NEAR(one.a, one.b * 4.0, 1e-9) << "one depth tells nothing of the growth";
+}
+
+TEST(SigmaFit, WithoutATargetThereIsNone) {
+  const SigmaFit fit = SigmaFitter(4).fit({});
   EXPECT_EQ(fit.a + fit.b, 0.0);
 }
 

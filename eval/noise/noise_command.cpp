@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads one frame after the other into a pool; one that cannot be used does not keep the others back.
+#include "eval/noise/noise_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <ostream>
+#include <sstream>
+
+#include "datasets/files/png_io.h"
+#include "datasets/support/atomic_file.h"
+#include "datasets/support/input_error.h"
+#include "eval/noise/noise_files.h"
+#include "eval/noise/noise_options.h"
+#include "eval/program/command_line.h"
+#include "eval/program/progress_line.h"
+#include "eval/segment/segment_input.h"
+
+namespace epcc {
+namespace {
+
+constexpr const char* kProgram = "epcc_noise";
+
+void addFrame(const SegmentInput& input, const SegmentOptions& options, SensorPool& pool) {
+  if (input.problem) throw *input.problem;
+  const LabelledFrame frame = loadInput(input, options);
+  const DepthFrame view = frameView(frame);
+  if (view.empty()) throw InputError(input.path, "frame", view.problem());
+  if (!pool.add(view)) throw InputError(input.path, "size", "is not that of the frames before it");
+}
+
+/// All frames, whatever becomes of each; the worst exit code.
+int addFrames(const std::vector<SegmentInput>& inputs, const SegmentOptions& options, SensorPool& pool,
+              std::ostream& err) {
+  ProgressLine progress(err);
+  int code = kExitDone;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (inputs.size() > 1) progress.show(i, inputs.size());
+    std::ostringstream problem;
+    const int of_frame = runStep(kProgram, problem, [&] {
+      addFrame(inputs[i], options, pool);
+      return kExitDone;
+    });
+    progress.clear();
+    err << problem.str();
+    code = std::max(code, of_frame);
+  }
+  return code;
+}
+
+/// Empty if no output is an input or its camera, else what is wrong.
+std::string outputProblem(const std::string& out, const std::vector<SegmentInput>& inputs) {
+  namespace fs = std::filesystem;
+  const auto canonical = [](const std::string& path) {
+    std::error_code ignored;
+    return fs::weakly_canonical(path, ignored).string();
+  };
+  for (const char* ending : {".json", ".png"})
+    for (const SegmentInput& input : inputs) {
+      std::vector<std::string> files = {input.path, input.camera_file};
+      if (input.source)
+        for (const std::string& file : input.source->files(input.index)) files.push_back(file);
+      for (const std::string& file : files)
+        if (!file.empty() && canonical(file) == canonical(out + ending))
+          return out + ending + " would overwrite an input or its camera";
+    }
+  return {};
+}
+
+std::string summary(const SensorMeasurement& measured, std::size_t frames) {
+  const SensorEstimate& estimate = measured.estimate;
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "%zu %s, %zu blocks: %s\n"
+                "  %.0f %% of the error's variance in blotches of %.1f px, an independent sample covers %.1f pixels\n",
+                frames, frames == 1 ? "frame" : "frames", estimate.blocks, estimate.model().description().c_str(),
+                100.0 * estimate.blotch_share, estimate.blotch_length,
+                2.0 * 3.14159265358979 * estimate.effective_length * estimate.effective_length);
+  return text;
+}
+
+}  // namespace
+
+int noiseMain(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  NoiseCommandOptions options;
+  if (const auto done = parseNoiseOptions(argc, argv, options, out, err)) return *done;
+  return runProgram(kProgram, out, err, [&]() -> int {
+    const InputList list = listInputs(options.input);
+    std::string misuse = list.usage_problem;
+    if (misuse.empty()) misuse = outputProblem(options.out, list.inputs);
+    if (!misuse.empty()) return reportProblem(kProgram, err, misuse, kExitUsage);
+    SensorPool pool;
+    const int code = addFrames(list.inputs, options.input, pool, err);
+    if (pool.frames() == 0) return std::max<int>(code, kExitInput);
+    const SensorMeasurement measured = pool.measure();
+    if (measured.estimate.blocks == 0)
+      throw InputError(list.inputs.front().path, "frames", "have no smooth surface to measure the error on");
+    writeTextFile(options.out + ".json", noiseJson(measured, pool.frames()));
+    writeRgb(options.out + ".png", noisePicture(measured));
+    out << summary(measured, pool.frames());
+    return code;
+  });
+}
+
+}  // namespace epcc
