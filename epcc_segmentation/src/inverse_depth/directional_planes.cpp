@@ -23,7 +23,7 @@ void DirectionalPlanes::beginLines(const InverseDepthImage& image, const Inverse
 
 void DirectionalPlanes::growPlanes(const InverseDepthImage& image) {
   if (!active_) return;
-  plane_growing_.begin(pixelPitch(columns_ ? image.along : image.across));
+  plane_growing_.begin(pixelPitch(columns_ ? image.along : image.across), !image.planar_rows);
   for (int i = 0; i < lines_.scanLines(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const ScanLineRays rays =

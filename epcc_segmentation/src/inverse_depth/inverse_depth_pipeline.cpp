@@ -27,7 +27,7 @@ void InverseDepthPipeline::configure(const Parameters& parameters, const SensorM
 }
 
 void InverseDepthPipeline::begin(InverseDepthImage& image) {
-  const int longer_side = std::max(image.width, image.height);
+  const int longer_side = longerSide(image.width, image.height);
   stride_ = strideFor(longer_side, parameters_.inverse_depth.stride);
   grid_parameters_ = onGrid(parameters_.inverse_depth, longer_side, stride_);
   grid_sensor_ = onGrid(sensor_, stride_);

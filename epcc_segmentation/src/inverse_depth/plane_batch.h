@@ -12,12 +12,14 @@ struct PlaneBatch {
   static constexpr int kSums = 12;
 
   int count = 0;
+  bool turning = false;            ///< rays of a scan
   double sums[kSums][kSize] = {};  ///< in the order of RegionSums
   double x[kSize], y[kSize], z[kSize], rss[kSize], slope_factor[kSize];
 
   void add(const RegionSums& s) {
     const double values[kSums] = {s.n, s.w_sum, s.w_w, s.xw, s.yw, s.zw, s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
     for (int k = 0; k < kSums; ++k) sums[k][count] = values[k];
+    turning = s.turning;
     ++count;
   }
   SumsPlane plane(int k) const {

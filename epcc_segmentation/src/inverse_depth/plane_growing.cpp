@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inverse_depth/plane_moments.h"
+
 namespace epcc {
 
 namespace {
@@ -68,7 +70,10 @@ void SegmentMoments::add(const ScanLineRays& at, const GrownLine& line) {
 
 void GrownPlane::fit() {
   SymmetricMatrix a = moments.rays;
-  a.ss += ridge;
+  const AcrossDirection e = turning ? AcrossDirection(a.ss, a.sf, a.ff) : AcrossDirection();
+  a.ss += ridge * e.xx;
+  a.sf += ridge * e.xz;
+  a.ff += ridge * e.zz;
   a.xx += ridge;
   inverse = a.inverse();
   q_side = inverse.ss * moments.side_w + inverse.sx * moments.x_w + inverse.sf * moments.forward_w;
@@ -85,7 +90,8 @@ void PlaneGrowing::configure(const InverseDepthParameters& parameters, const Sen
   correlation_length_ = sensor.correlationLength();
 }
 
-void PlaneGrowing::begin(double pixel_pitch) {
+void PlaneGrowing::begin(double pixel_pitch, bool turning) {
+  turning_ = turning;
   sample_spread_ = std::pow(correlation_length_ * pixel_pitch, 2);
   previous_count_ = 0;
   previous_begin_ = 0;
@@ -115,6 +121,7 @@ void PlaneGrowing::addLine(const ScanLineRays& rays, const GrownLine* lines, int
 int PlaneGrowing::startPlane(const GrownLine& line) {
   const auto w = static_cast<double>(line.mean_w);
   planes_.emplace_back();
+  planes_.back().turning = turning_;
   planes_.back().ridge = pixels_per_sample_ / (4.0 * w * w);  // a weak prior: slopes up to about 4
   return static_cast<int>(planes_.size()) - 1;
 }

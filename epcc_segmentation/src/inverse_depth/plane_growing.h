@@ -32,10 +32,12 @@ struct SegmentMoments {
   void add(const ScanLineRays& rays, const GrownLine& line);
 };
 
-/// A plane prototype while it grows: q . ray = w with q = (M + ridge diag(1, 1, 0))^-1 b, fitted when it is asked for.
+/// A plane prototype while it grows: q . ray = w with q = (M + ridge (e e^T + x x^T))^-1 b, e across the scan lines,
+/// fitted when it is asked for.
 struct GrownPlane {
   SegmentMoments moments;
   double ridge = 0.0;
+  bool turning = false;  ///< scan lines of a scan: side and forward are a unit vector
   int segments = 0;
   bool fitted = false;
   SymmetricMatrix inverse;
@@ -50,8 +52,9 @@ class PlaneGrowing {
   PlaneGrowing(const InverseDepthParameters& parameters, const SensorModel& sensor) { configure(parameters, sensor); }
   void configure(const InverseDepthParameters& parameters, const SensorModel& sensor);
 
-  /// Forgets everything; `pixel_pitch` is the mean step of x from pixel to pixel, 1/f.
-  void begin(double pixel_pitch);
+  /// Forgets everything; `pixel_pitch` is the mean step of x from pixel to pixel, 1/f. The columns of a scan
+  /// turn: their side and forward are a unit vector.
+  void begin(double pixel_pitch, bool turning);
   /// Segments lie side by side, in order. They must stay where they are until the next scan line was added.
   void addLine(const ScanLineRays& rays, const GrownLine* lines, int count);
 
@@ -69,6 +72,7 @@ class PlaneGrowing {
   double pixels_per_line_sample_ = 1.0;  // L1
   double correlation_length_ = 0.0;      // l, pixels
   double sample_spread_ = 0.0;           // (l / f)^2
+  bool turning_ = false;
   const GrownLine* previous_ = nullptr;
   int previous_count_ = 0;
   std::size_t previous_begin_ = 0;  // in plane_of_

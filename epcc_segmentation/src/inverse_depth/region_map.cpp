@@ -18,6 +18,7 @@ PlaneMoments momentsOf(const RaySums& s, bool spherical) {
   PlaneMoments moments;
   const double ff = spherical ? s.one - s.aa : s.one;  // a^2 + f^2 = 1, or f = 1
   moments.n = s.n;
+  moments.turning = spherical;
   moments.w_sum = s.w_plain;
   moments.w_w = s.ww;
   moments.rays_w = Eigen::Vector3d(s.aw, s.vw, s.fw);

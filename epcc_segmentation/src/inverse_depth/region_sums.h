@@ -14,6 +14,7 @@ struct RegionSums {
   double n = 0.0, w_sum = 0.0, w_w = 0.0;
   double xw = 0.0, yw = 0.0, zw = 0.0;
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
+  bool turning = false;
 
   RegionSums() = default;
   explicit RegionSums(const PlaneMoments& moments);
@@ -42,11 +43,13 @@ inline RegionSums::RegionSums(const PlaneMoments& m)
       xz(m.rays(0, 2)),
       yy(m.rays(1, 1)),
       yz(m.rays(1, 2)),
-      zz(m.rays(2, 2)) {}
+      zz(m.rays(2, 2)),
+      turning(m.turning) {}
 
 inline RegionSums RegionSums::operator+(const RegionSums& other) const {
   RegionSums sum = *this;
   sum.n += other.n;
+  sum.turning = sum.turning || other.turning;
   sum.w_sum += other.w_sum;
   sum.w_w += other.w_w;
   sum.xw += other.xw;
@@ -65,10 +68,11 @@ inline SumsPlane::SumsPlane(const RegionSums& s) {
   if (s.n <= 0.0) return;
   const double w = s.w_sum / s.n;
   const double ridge = 0.25 / (w * w);
-  const double a = s.xx + ridge, b = s.yy + ridge;
-  const double xx = b * s.zz - s.yz * s.yz, xy = s.xz * s.yz - s.xy * s.zz, xz = s.xy * s.yz - s.xz * b;
-  const double yy = a * s.zz - s.xz * s.xz, yz = s.xy * s.xz - a * s.yz, zz = a * b - s.xy * s.xy;
-  const double scale = 1.0 / (a * xx + s.xy * xy + s.xz * xz);
+  const AcrossDirection e = s.turning ? AcrossDirection(s.xx, s.xz, s.zz) : AcrossDirection();
+  const double a = s.xx + ridge * e.xx, b = s.yy + ridge, c = s.zz + ridge * e.zz, d = s.xz + ridge * e.xz;
+  const double xx = b * c - s.yz * s.yz, xy = d * s.yz - s.xy * c, xz = s.xy * s.yz - d * b;
+  const double yy = a * c - d * d, yz = s.xy * d - a * s.yz, zz = a * b - s.xy * s.xy;
+  const double scale = 1.0 / (a * xx + s.xy * xy + d * xz);
   x = scale * (xx * s.xw + xy * s.yw + xz * s.zw);
   y = scale * (xy * s.xw + yy * s.yw + yz * s.zw);
   z = scale * (xz * s.xw + yz * s.yw + zz * s.zw);
@@ -76,7 +80,7 @@ inline SumsPlane::SumsPlane(const RegionSums& s) {
   const double square = x * (s.xx * x + s.xy * y + s.xz * z) + y * (s.xy * x + s.yy * y + s.yz * z) +
                         z * (s.xz * x + s.yz * y + s.zz * z);
   rss = std::max(0.0, s.w_w - 2.0 * (x * s.xw + y * s.yw + z * s.zw) + square);
-  slope_factor = slopeFactor({x, y, z}, w);
+  slope_factor = slopeFactor({x, y, z}, w, e);
 }
 
 }  // namespace epcc

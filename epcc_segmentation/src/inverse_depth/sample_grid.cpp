@@ -21,6 +21,11 @@ int nearest(int pixels, double scale, int least) {
 
 }  // namespace
 
+int longerSide(int width, int height) {
+  const auto [shorter, longer] = std::minmax(width, height);
+  return std::min(longer, 2 * shorter);
+}
+
 int strideFor(int longer_side, int stride) {
   if (stride > 0) return stride;
   return std::clamp(static_cast<int>(std::lround(longer_side / kPixelsPerStride)), 1, kMaxDefaultStride);

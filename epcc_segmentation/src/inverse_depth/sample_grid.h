@@ -7,6 +7,10 @@
 
 namespace epcc {
 
+/// The longer side of an image that counts as at most twice as wide as high: the faces in a scan of 64 rings are as few
+/// samples high as those in an image of 128 columns, however finely it resolves the azimuth.
+int longerSide(int width, int height);
+
 /// The stride itself, or the default for an image of this longer side: one for every 320 pixels, 1 to 4. The sensor's
 /// error is correlated, and where it is not it is small faces, not the number of samples, that limit what is found.
 int strideFor(int longer_side, int stride);

@@ -211,7 +211,7 @@ GrownLine lineOf(double w, int first, int last, double sigma_w) {
 
 std::vector<int> planesOf(const std::vector<std::vector<GrownLine>>& scan_lines) {
   epcc::PlaneGrowing growing(epcc::InverseDepthParameters(), kWhite);
-  growing.begin(0.005);
+  growing.begin(0.005, false);
   for (std::size_t i = 0; i < scan_lines.size(); ++i)
     growing.addLine({0.005 * static_cast<double>(i), 1.0}, scan_lines[i].data(),
                     static_cast<int>(scan_lines[i].size()));

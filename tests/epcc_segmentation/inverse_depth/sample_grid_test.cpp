@@ -26,6 +26,13 @@ TEST(SampleGrid, TheDefaultStrideIsOneForEvery320Columns) {
   EXPECT_EQ(epcc::strideFor(64, 8), 8);
 }
 
+TEST(SampleGrid, AScanOfFewRingsIsASmallImage) {
+  EXPECT_EQ(epcc::longerSide(640, 480), 640);
+  EXPECT_EQ(epcc::longerSide(1080, 1920), 1920);
+  EXPECT_EQ(epcc::longerSide(1024, 64), 128);
+  EXPECT_EQ(epcc::longerSide(128, 2048), 256);
+}
+
 TEST(SampleGrid, ParametersInPixelsBecomeOnesInSamples) {
   const InverseDepthParameters pixels;
   const InverseDepthParameters two = onGrid(pixels, 640, 2);
