@@ -35,6 +35,11 @@ class SensorCloud {
   std::vector<std::int32_t> labels_;
 };
 
+/// The frame itself, or what `memory` makes of it if it has a geometry().
+inline DepthFrame inSensorFrame(const DepthFrame& frame, SensorCloud& memory, int threads = 1) {
+  return frame.geometry() == nullptr ? frame : memory.of(frame, threads);
+}
+
 /// A plane of a sensor's frame in the frame that the sensor's pose is in.
 Plane inCloudFrame(const Plane& plane, const SensorPose& pose);
 

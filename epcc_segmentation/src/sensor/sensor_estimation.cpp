@@ -59,7 +59,7 @@ SensorEstimate genericEstimate(double width, double height) {
 SensorEstimate estimateSensor(const DepthFrame& frame) {
   InverseDepthImage image;
   SensorCloud cloud;
-  if (!frame.empty()) image.read(frame.geometry() == nullptr ? frame : cloud.of(frame, 1));
+  if (!frame.empty()) image.read(inSensorFrame(frame, cloud));
   return ImageEstimation().whole(image);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "epcc_segmentation/sensor_estimation.h"
+#include "geometry/sensor_cloud.h"
 #include "sensor/image_estimation.h"
 #include "sensor/quantile.h"
 
@@ -28,6 +29,7 @@ struct SensorEstimator::Stream {
   const std::size_t interval;
   int width = 0;
   int height = 0;
+  SensorCloud cloud;
   InverseDepthImage image;  // of frames that nobody has read
   ImageEstimation estimation;
   std::size_t looked_at = 0;
@@ -129,7 +131,7 @@ SensorEstimator::~SensorEstimator() = default;
 
 SensorEstimate SensorEstimator::update(const DepthFrame& frame) {
   if (frame.empty()) return stream_->summary;  // nothing to learn
-  stream_->image.read(frame);
+  stream_->image.read(inSensorFrame(frame, stream_->cloud));
   return update(stream_->image);
 }
 

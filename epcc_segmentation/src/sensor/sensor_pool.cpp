@@ -3,6 +3,7 @@
 #include <array>
 
 #include "epcc_segmentation/sensor_estimation.h"
+#include "geometry/sensor_cloud.h"
 #include "sensor/image_estimation.h"
 #include "sensor/residual_correlation.h"
 
@@ -20,6 +21,7 @@ struct OfSize {
 }  // namespace
 
 struct SensorPool::Pool {
+  SensorCloud cloud;
   InverseDepthImage image;  // the last one
   std::size_t frames = 0;
   std::vector<OfSize> sizes;  // that which is preferred first
@@ -30,9 +32,10 @@ SensorPool::~SensorPool() = default;
 SensorPool::SensorPool(SensorPool&&) noexcept = default;
 SensorPool& SensorPool::operator=(SensorPool&&) noexcept = default;
 
-bool SensorPool::add(const DepthFrame& frame) {
-  if (frame.empty()) return false;
+bool SensorPool::add(const DepthFrame& any_frame) {
+  if (any_frame.empty()) return false;
   Pool& pool = *pool_;
+  const DepthFrame frame = inSensorFrame(any_frame, pool.cloud);
   if (pool.frames == 0) {
     const int first = ImageEstimation::blockSize(frame.width(), frame.height());
     for (const int size : {first, ImageEstimation::otherSize(first)}) pool.sizes.emplace_back(size);
