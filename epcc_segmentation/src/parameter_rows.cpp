@@ -52,6 +52,10 @@ std::vector<ParameterField> inverseDepthFields() {
           "Grid of the samples that the planes are found on, every so many rows and columns; the labels are those of "
           "all pixels. 0: by the longer side, one for every 320 pixels",
           "time matters more than small faces", "faces of a few pixels matter more than time"),
+      choice(
+          EPCC_FIELD(inverse_depth.adapt_sensor), {"off", "on"},
+          "Pull the size of a given sensor model to the error that the frames show, unless they agree within 20 % (S0)",
+          "Choose off if the model is known to be right, and for repeatable experiments with wrong ones"),
       number(
           EPCC_FIELD(inverse_depth.line_k_max), kAboveZero, 100, "sigma_w",
           "Gate of a line segment (S1): a sample belongs to it within so many standard deviations of the sensor model",

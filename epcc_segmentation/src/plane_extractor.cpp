@@ -62,6 +62,7 @@ struct PlaneExtractor::Workspace {
   SensorCloud cloud;
   InverseDepthImage image;
   SensorEstimator estimator;
+  std::vector<double> ratios;  // memory of S0
   MetricPipeline metric;
   InverseDepthPipeline inverse_depth;
   PlaneFitter fitter;
@@ -69,7 +70,8 @@ struct PlaneExtractor::Workspace {
 
 PlaneExtractor::PlaneExtractor(const Parameters& parameters, const std::optional<SensorModel>& sensor)
     : parameters_(parameters),
-      sensor_(sensor.value_or(SensorEstimate().model())),
+      given_sensor_(sensor.value_or(SensorEstimate().model())),
+      sensor_(given_sensor_),
       measures_sensor_(!sensor.has_value()),
       workspace_(std::make_unique<Workspace>(parameters_, sensor_)) {}
 PlaneExtractor::~PlaneExtractor() = default;
@@ -81,12 +83,13 @@ void PlaneExtractor::setParameters(const Parameters& parameters) {
 }
 
 void PlaneExtractor::setSensor(const SensorModel& sensor) {
-  sensor_ = sensor;
+  given_sensor_ = sensor_ = sensor;
   measures_sensor_ = false;
+  if (workspace_) workspace_->estimator.reset();
 }
 
 void PlaneExtractor::setSensorAuto() {
-  sensor_ = SensorEstimate().model();
+  given_sensor_ = sensor_ = SensorEstimate().model();
   measures_sensor_ = true;
   if (workspace_) workspace_->estimator.reset();
 }
@@ -127,7 +130,10 @@ void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmenta
 
 int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& result) {
   result.labels.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
-  if (measures_sensor_) measureSensor(frame);
+  if (measures_sensor_)
+    measureSensor(frame);
+  else
+    sensor_ = given_sensor_;
   const DepthFrame view = scanView(frame, parameters_.scan);
   MetricPipeline& pipeline = workspace_->metric;
   pipeline.configure(parameters_, sensor_);
@@ -144,10 +150,10 @@ int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& re
 
 int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result) {
   StopWatch watch;
-  const int stride = strideFor(std::max(frame.width(), frame.height()), parameters_.inverse_depth.stride);
+  const int stride = strideFor(longerSide(frame.width(), frame.height()), parameters_.inverse_depth.stride);
   workspace_->image.read(frame, parameters_.threads, stride);
   times_.read = watch.lap();
-  if (measures_sensor_) sensor_ = workspace_->estimator.update(workspace_->image).model();
+  adaptSensor();  // S0
   times_.sensor = watch.lap();
   InverseDepthPipeline& pipeline = workspace_->inverse_depth;
   pipeline.configure(parameters_, sensor_);
@@ -170,6 +176,14 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   workspace_->fitter.lendCounts(pipeline.pixelCounts());
   times_.result = watch.lap();
   return pipeline.labelCount();
+}
+
+void PlaneExtractor::adaptSensor() {
+  sensor_ = given_sensor_;
+  if (!measures_sensor_ && !parameters_.inverse_depth.adapt_sensor) return;
+  const InverseDepthImage& image = workspace_->image;
+  const SensorEstimate measured = workspace_->estimator.update(image);
+  sensor_ = measures_sensor_ ? measured.model() : adapted(given_sensor_, measured, image, workspace_->ratios);
 }
 
 void PlaneExtractor::listSegments(const DepthFrame& frame, PlaneSegmentation& result) const {
@@ -197,7 +211,7 @@ bool PlaneExtractor::check(const DepthFrame& frame, PlaneSegmentation& result) {
   status_ = Status::Ok;
   error_ = parameters_.validate();
   if (error_.empty()) error_ = vectorUnitProblem();
-  if (error_.empty() && !measures_sensor_) error_ = sensor_.validate();
+  if (error_.empty() && !measures_sensor_) error_ = given_sensor_.validate();
   if (!error_.empty()) return fail(Status::InvalidParameters, error_, result);
   if (frame.empty()) return fail(frame.status(), frame.problem(), result);
   if (frame.projection() == Projection::Spherical && parameters_.scan == ScanDirection::Rows)

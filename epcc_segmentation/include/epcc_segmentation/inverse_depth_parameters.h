@@ -16,6 +16,10 @@ struct InverseDepthParameters {
   /// than small faces; lower it if faces of a few pixels matter more than time.
   int stride = 0;
 
+  /// Pull the size of a given sensor model to the error that the frames show, unless they agree within 20 % (S0). off |
+  /// on, default on. Choose off if the model is known to be right, and for repeatable experiments with wrong ones.
+  bool adapt_sensor = true;
+
   /// Gate of a line segment (S1): a sample belongs to it within so many standard deviations of the sensor model.
   /// (0, 100] sigma_w, default 1.5. Raise it if surfaces break into pieces although the sensor model is right; lower it
   /// if shallow creases and small steps are run over.

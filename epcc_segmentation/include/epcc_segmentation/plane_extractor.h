@@ -59,7 +59,8 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   const std::string& error() const { return error_; }
   const StageTimes& times() const { return times_; }
   const Parameters& parameters() const { return parameters_; }
-  /// The model that was given, or that the last frame was segmented with.
+  /// The model that the last frame was segmented with: measured, or the given one as S0 adapted it
+  /// (InverseDepthParameters::adapt_sensor). Before the first frame what was given.
   const SensorModel& sensor() const { return sensor_; }
   bool measuresSensor() const { return measures_sensor_; }
 
@@ -70,11 +71,13 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   void extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result);
   int extractMetric(const DepthFrame& frame, PlaneSegmentation& result);
   int extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result);
+  void adaptSensor();
   void measureSensor(const DepthFrame& frame);
   void listSegments(const DepthFrame& frame, PlaneSegmentation& result) const;
 
   Parameters parameters_;
-  SensorModel sensor_;
+  SensorModel given_sensor_;
+  SensorModel sensor_;  // of the last frame
   bool measures_sensor_;
   Status status_ = Status::Ok;
   std::string error_;

@@ -60,6 +60,12 @@ class EPCC_CORE_EXPORT SensorModel {
     model.correlation_length_ = length;
     return model;
   }
+  /// The error `factor` times as large, with the same correlation length.
+  SensorModel scaled(double factor) const {
+    SensorModel model = *this;
+    for (double& k : model.k_) k *= factor;
+    return model;
+  }
   /// Pixels per independent sample over an area: max(1, 2 pi l^2).
   double pixelsPerSample() const { return std::fmax(1.0, 2.0 * kPi * correlation_length_ * correlation_length_); }
   /// Pixels per independent sample along a line: max(1, 2.5 l).

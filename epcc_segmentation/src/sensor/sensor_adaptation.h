@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// S0: a given sensor model is pulled to the frames' own error before anything is decided with it.
+#pragma once
+
+#include <vector>
+
+#include "epcc_segmentation/sensor_estimation.h"
+#include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/inverse_depth_image.h"
+
+namespace epcc {
+
+/// The given model with its error times e^x: x = ln(rho) moved towards zero by a dead zone, rho the median over sampled
+/// pixels of the measured to the given sigma. Shape and correlation length stay, as does all where nothing could be
+/// measured. `ratios` is memory, kept from frame to frame.
+SensorModel adapted(const SensorModel& given, const SensorEstimate& measured, const InverseDepthImage& image,
+                    std::vector<double>& ratios);
+
+}  // namespace epcc
