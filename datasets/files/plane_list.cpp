@@ -31,6 +31,7 @@ nlohmann::json planeJson(std::size_t id, const Plane& plane, const std::vector<P
           {"coefficients_covariance", covariance},
           {"pixel_count", plane.pixel_count},
           {"rms", plane.rms},
+          {"confidence", plane.confidence},
           {"centroid", vectorJson(plane.centroid)},
           {"contour", contourJson(contours)}};
 }

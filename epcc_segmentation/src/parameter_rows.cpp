@@ -47,6 +47,9 @@ std::vector<ParameterField> inverseDepthFields() {
       number(EPCC_FIELD(inverse_depth.min_points), 1, 1e9, "pixels", "Planes with fewer pixels are rejected (S7)",
              "small pieces of clutter are reported",
              "small faces are missing and the sensor is good enough to see them"),
+      number(EPCC_FIELD(inverse_depth.min_confidence), 0, 1, "",
+             "Planes that are less likely surfaces than this are rejected (S9), see Plane::confidence",
+             "ragged pieces of clutter are reported", "frames, rails and other narrow planes are missing"),
       number(
           EPCC_FIELD(inverse_depth.stride), 0, 8, "pixels",
           "Grid of the samples that the planes are found on, every so many rows and columns; the labels are those of "
@@ -170,12 +173,6 @@ std::vector<ParameterField> inverseDepthFields() {
       number(EPCC_FIELD(inverse_depth.expert.evidence.bending_evidence), 0, 1e6, "independent samples",
              "Reduction of the squared residuals, in sigma^2 per independent sample, that bending must be worth",
              "planes are rejected for the bending of the sensor", "facets of curved things are reported"),
-      number(EPCC_FIELD(inverse_depth.expert.evidence.min_thickness), 0, 1e6, "pixels",
-             "Thickness, pixels over pixels of border, that a plane of 30 independent samples and chi^2 = 1 needs "
-             "where the "
-             "image's longer side is 640 (S9); larger and smoother planes need less, finer images more pixels. 0 keeps "
-             "all",
-             "ragged pieces of clutter are reported", "frames, rails and other narrow planes are missing"),
   };
 }
 

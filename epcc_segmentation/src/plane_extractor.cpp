@@ -174,6 +174,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   moveLabels(frame, pipeline.labels(), result.labels);
   if (!frame.isTransposed()) workspace_->fitter.lendSampleDepth(workspace_->image.sampleDepths());
   workspace_->fitter.lendCounts(pipeline.pixelCounts());
+  workspace_->fitter.lendConfidence(pipeline.confidence());
   times_.result = watch.lap();
   return pipeline.labelCount();
 }

@@ -235,6 +235,7 @@ void PlaneFitter::fillSparsePlanes(const DepthFrame& image, const SensorVariance
 bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int plane_count, const FitSamples& samples,
                       int threads, PlaneSegmentation& segmentation) {
   segmentation.planes.clear();
+  const double* const confidence = std::exchange(confidence_, nullptr);
   const float* const lent_depth = std::exchange(depth_, nullptr);
   const float* const lent_samples = std::exchange(sample_depth_, nullptr);
   const long* const counts = std::exchange(counts_, nullptr);
@@ -244,6 +245,7 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
   const SensorVariance variance(sensor);
   depth_ = lent_depth;
   sample_depth_ = lent_samples;
+  confidence_ = confidence;
   const auto count = static_cast<std::size_t>(plane_count);
   plane_count_ = plane_count;
   pixels_.assign(count, 0);
@@ -272,6 +274,7 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
   renumber(threads, segmentation.labels);
   depth_ = nullptr;
   sample_depth_ = nullptr;
+  confidence_ = nullptr;
   return true;
 }
 
@@ -289,6 +292,7 @@ void PlaneFitter::listPlanes(const SensorModel& sensor, const FitSamples& sample
     if (moments.plain.one == 0.0) continue;
     const double per_independent = sensor.pixelsPerSample() / (is_sparse_[i] != 0 ? 1.0 : area);
     planes.push_back(planeOf(moments, pixels_[i], std::max(1.0, per_independent)));
+    if (confidence_ != nullptr) planes.back().confidence = confidence_[i];
     new_label_[i + 1] = static_cast<std::int32_t>(planes.size());
   }
 }

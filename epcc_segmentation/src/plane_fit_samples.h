@@ -36,6 +36,8 @@ class PlaneFitter {
   /// For the next fit with a stride: how many pixels have the labels 1 .. plane_count, and that there is no other but
   /// 0.
   void lendCounts(const long* pixels) { counts_ = pixels; }
+  /// For the next fit: Plane::confidence of the labels 1 .. plane_count.
+  void lendConfidence(const double* confidence) { confidence_ = confidence; }
 
  private:
   /// Memory of one of the bands of rows that are summed on their own, then joined in order.
@@ -66,6 +68,7 @@ class PlaneFitter {
   const float* sample_depth_ = nullptr;
   std::size_t depth_stride_ = 0;
   const long* counts_ = nullptr;
+  const double* confidence_ = nullptr;
   std::vector<double> across_;  // u of the image's columns
   std::vector<Band> bands_;
   std::vector<std::int32_t> only_;  // by label: itself or 0

@@ -79,17 +79,20 @@ std::vector<PlaneSummary> summarizePlanes(const DepthFrame& frame, const PlaneSe
     summary.tilt = std::acos(std::abs(up)) * kDegrees;
     summary.kind = kindOf(summary.tilt, up);
     summary.rms = plane.rms;
+    summary.confidence = plane.confidence;
     summaries.push_back(summary);
   }
   return summaries;
 }
 
 std::string planeTable(const std::vector<PlaneSummary>& planes, const std::string& indent) {
-  std::string table = indent + "plane   pixels  area m2  distance m  centroid m  tilt deg  kind          rms mm\n";
+  std::string table =
+      indent + "plane   pixels  area m2  distance m  centroid m  tilt deg  kind          rms mm  confidence\n";
   for (const PlaneSummary& plane : planes) {
     char line[160];
-    std::snprintf(line, sizeof line, "%5d %8zu %8.3f %11.3f %11.3f %9.1f  %-12s %7.1f\n", plane.id, plane.pixels,
-                  plane.area, plane.distance, plane.centroid_distance, plane.tilt, plane.kind.c_str(), 1e3 * plane.rms);
+    std::snprintf(line, sizeof line, "%5d %8zu %8.3f %11.3f %11.3f %9.1f  %-12s %7.1f %11.2f\n", plane.id, plane.pixels,
+                  plane.area, plane.distance, plane.centroid_distance, plane.tilt, plane.kind.c_str(), 1e3 * plane.rms,
+                  plane.confidence);
     table += indent + line;
   }
   return table;

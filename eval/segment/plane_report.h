@@ -26,6 +26,7 @@ struct PlaneSummary {
   std::string kind;
   /// Root mean square distance of the points from the plane, metres.
   double rms = 0.0;
+  double confidence = 1.0;  ///< Plane::confidence
 };
 
 /// Summaries in the order of result.planes. `frame` is the frame that was segmented.

@@ -11,6 +11,10 @@ struct InverseDepthParameters {
   /// reported; lower it if small faces are missing and the sensor is good enough to see them.
   int min_points = 60;
 
+  /// Planes that are less likely surfaces than this are rejected (S9), see Plane::confidence. [0, 1], default 0.3. Raise
+  /// it if ragged pieces of clutter are reported; lower it if frames, rails and other narrow planes are missing.
+  double min_confidence = 0.3;
+
   /// Grid of the samples that the planes are found on, every so many rows and columns; the labels are those of all
   /// pixels. 0: by the longer side, one for every 320 pixels. [0, 8] pixels, default 0. Raise it if time matters more
   /// than small faces; lower it if faces of a few pixels matter more than time.
@@ -187,12 +191,6 @@ struct InverseDepthParameters {
     /// independent samples, default 5. Raise it if planes are rejected for the bending of the sensor; lower it if
     /// facets of curved things are reported.
     double bending_evidence = 5.0;
-
-    /// Thickness, pixels over pixels of border, that a plane of 30 independent samples and chi^2 = 1 needs where the
-    /// image's longer side is 640 (S9); larger and smoother planes need less, finer images more pixels. 0 keeps all.
-    /// [0, 1e6] pixels, default 4. Raise it if ragged pieces of clutter are reported; lower it if frames, rails and
-    /// other narrow planes are missing.
-    double min_thickness = 4.0;
   };
 
   /// The expert fields.

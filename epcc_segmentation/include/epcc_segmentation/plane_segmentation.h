@@ -24,6 +24,9 @@ struct Plane {
   double rms = 0.0;
   /// Number of pixels.
   std::size_t pixel_count = 0;
+  /// How likely this is a surface and not clutter, 0 to 1, by its size, roughness and thickness (S9 of the inverse-depth
+  /// mode, InverseDepthParameters::min_confidence). 1 in the paper mode, which does not ask.
+  double confidence = 1.0;
 
   /// Signed distance of a point from the plane, metres, positive on the sensor's side.
   double signedDistance(const Eigen::Vector3d& point) const {
@@ -34,7 +37,7 @@ struct Plane {
     return point - signedDistance(point) * coefficients.head<3>();
   }
 };
-static_assert(sizeof(Plane) == 34 * sizeof(double) && alignof(Plane) == alignof(double), "one layout for all flags");
+static_assert(sizeof(Plane) == 35 * sizeof(double) && alignof(Plane) == alignof(double), "one layout for all flags");
 
 /// The result of a segmentation. Labels are row-major: 0 no plane, k the plane planes[k - 1]; planes are sorted by
 /// pixel count, largest first.

@@ -51,6 +51,8 @@ class InverseDepthPipeline {
   /// How many pixels have the labels 1 .. labelCount(); null if they were not counted.
   const long* pixelCounts() const { return stride_ > 1 ? full_resolution_.pixelCounts().data() + 1 : nullptr; }
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
+  /// How likely each of them is a surface.
+  const double* confidence() const { return map_.confidence.data(); }
   /// The line segments of S1, columns first. `frame` is the one that was read, `labels` the final ones, in the order of
   /// the caller's arrays.
   void listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,

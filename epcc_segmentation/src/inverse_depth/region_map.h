@@ -30,6 +30,7 @@ class MomentMoves {
 struct RegionMap {
   std::vector<std::int32_t> labels;
   std::vector<PlaneMoments> regions;
+  std::vector<double> confidence;  ///< per region, of S9
   MomentMoves moves;
   std::vector<RaySums> sums;  ///< memory of accumulate(), band by band
 

@@ -15,8 +15,9 @@ namespace {
 constexpr double kHoleEdge = 0.25;  // a hole says little about where a surface ends
 constexpr double kMinChi2 = 0.05;   // of a sensor model that is far too wide
 constexpr double kPower = 0.6;
-constexpr double kColumnsOfUnit = 640.0;     // min_thickness is in pixels of an image so wide
-constexpr double kSamplesOfUnit = 30.0;      // a region of so many independent samples needs min_thickness
+constexpr double kThickness = 4.0;        // a region of kSamplesOfUnit and chi^2 = 1 has a score of 1 at so many pixels
+constexpr double kColumnsOfUnit = 640.0;  // thickness is in pixels of an image so wide
+constexpr double kSamplesOfUnit = 30.0;   // independent samples
 constexpr double kMaxPixelsPerSample = 100;  // else long blotches would excuse anything
 
 /// Border of each label, in edges of the grid: of some rows.
@@ -70,34 +71,46 @@ const std::vector<double>& borderLengths(const InverseDepthImage& image, const R
   return all;
 }
 
+/// The share of surfaces among the regions of this score, thickness over what is needed: a logistic curve of its
+/// logarithm, fitted to the regions that all steps before leave on Kinect, ABW and ICL frames.
+double confidence(double thickness, double needed) {
+  constexpr double kSteepness = 1.5, kOddsOfUnit = 0.4;
+  const double a = kOddsOfUnit * std::pow(thickness, kSteepness);
+  const double b = std::pow(needed, kSteepness);
+  return a / (a + b);
+}
+
 }  // namespace
 
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
                 int stride, RegionMap& map, ThicknessMemory& memory, int threads) {
-  const double min_thickness = parameters.expert.evidence.min_thickness;
   const std::vector<double>& border = borderLengths(image, map, memory, threads);
   // A finer image of the same scene has as many pixels more in its thickness.
   const double unit = stride * std::max(image.width, image.height) / kColumnsOfUnit;
   const double pixels_per_sample = std::min(sensor.pixelsPerSample(), kMaxPixelsPerSample / (stride * stride));
-  const auto isThick = [&](const PlaneMoments& region, double length) {
+  const auto confidenceOf = [&](const PlaneMoments& region, double length) {
     const RegionPlane plane(region);
     const double chi2 = std::max(kMinChi2, plane.rss / (region.n * plane.slope_factor));
     const double samples = region.n / pixels_per_sample;
-    return stride * region.n >=
-           unit * length * min_thickness * std::pow(chi2, kPower) * std::pow(samples / kSamplesOfUnit, -kPower);
+    const double needed = kThickness * std::pow(chi2, kPower) * std::pow(samples / kSamplesOfUnit, -kPower);
+    return confidence(stride * region.n, unit * length * needed);
   };
   memory.kept.clear();
   for (std::size_t k = 0; k < map.regions.size(); ++k) {
     const PlaneMoments& region = map.regions[k];
-    if (region.n > 0.0 && isThick(region, border[k + 1])) memory.kept.push_back({region, k});
+    if (!(region.n > 0.0)) continue;
+    const double sure = confidenceOf(region, border[k + 1]);
+    if (sure >= parameters.min_confidence) memory.kept.push_back({region, k, sure});
   }
   std::sort(memory.kept.begin(), memory.kept.end(), [](const auto& a, const auto& b) {
     return a.region.n != b.region.n ? a.region.n > b.region.n : a.index < b.index;
   });
   memory.new_label.assign(map.regions.size() + 1, 0);
   map.regions.clear();
+  map.confidence.clear();
   for (const ThicknessMemory::Kept& kept : memory.kept) {
     map.regions.push_back(kept.region);
+    map.confidence.push_back(kept.confidence);
     memory.new_label[kept.index + 1] = static_cast<std::int32_t>(map.regions.size());
   }
   map.relabel(memory.new_label, threads);

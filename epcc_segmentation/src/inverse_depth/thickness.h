@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// S9: regions that are thin for their size are clutter.
+// S9: how likely a region is a surface; those that are thin for their size are clutter.
 #pragma once
 
 #include "epcc_segmentation/parameters.h"
@@ -22,15 +22,18 @@ struct ThicknessMemory {
   struct Kept {
     PlaneMoments region;
     std::size_t index;
+    double confidence;
   };
   std::vector<Kept> kept;
 };
 
-/// Unlabels the regions that are thinner than a plane of their size and roughness would be: t = n / P with P the
-/// border, an edge to a pixel with depth counting 1, to a hole a quarter, the image's edge nothing. Kept is
-///   t >= min_thickness chi^1.2 (n / (30 L))^-0.6,
-/// in pixels, L the pixels that an independent sample covers, at most 100. `stride` is that of the grid of `image`,
-/// `sensor` in pixels of it. What is left is numbered anew, the largest
+/// Rates how likely each region is a surface, and unlabels those below min_confidence. Surfaces are thick for their
+/// size, clutter is ragged: t = n / P with P the border, an edge to a pixel with depth counting 1, to a hole a quarter,
+/// the image's edge nothing. The score is
+///   s = t / (4 chi^1.2 (n / (30 L))^-0.6),
+/// in pixels of an image 640 wide, L the pixels that an independent sample covers, at most 100; the confidence
+///   0.4 s^1.5 / (0.4 s^1.5 + 1).
+/// `stride` is that of the grid of `image`, `sensor` in pixels of it. What is left is numbered anew, the largest
 /// first: the planes of the result are, too, and few pixels have to change their number once more.
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
                 int stride, RegionMap& map, ThicknessMemory& memory, int threads = 1);

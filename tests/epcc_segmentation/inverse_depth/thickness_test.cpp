@@ -26,7 +26,7 @@ RenderedRoom wall() {
 
 /// Whether the region of the pixels for which `inside` holds stays.
 template <typename Inside>
-bool stays(const RenderedRoom& room, const Inside& inside, double min_thickness = 16.0) {
+bool stays(const RenderedRoom& room, const Inside& inside, double min_confidence = 0.76) {
   const InverseDepthImage image = epcc::test::imageOf(room, kSensor);
   std::vector<std::int32_t> labels;
   for (int row = 0; row < kHeight; ++row)
@@ -34,7 +34,7 @@ bool stays(const RenderedRoom& room, const Inside& inside, double min_thickness 
   epcc::ThicknessMemory memory;
   RegionMap map = epcc::test::regionsOf(image, labels, 1);
   InverseDepthParameters parameters;
-  parameters.expert.evidence.min_thickness = min_thickness;
+  parameters.min_confidence = min_confidence;
   epcc::rejectThin(image, parameters, kSensor, 1, map, memory);
   const bool left = !map.regions.empty();
   for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(map.labels[i], left ? labels[i] : 0);
@@ -55,8 +55,8 @@ TEST(Thickness, ACompactRegionStaysACombOfItsSizeGoes) {
 TEST(Thickness, TheImagesEdgeIsNoBorder) {
   const auto strip = [](int row, int column) { return row < 3 && column >= 0; };
   const auto inner_strip = [](int row, int column) { return row >= 40 && row < 43 && column >= 0; };
-  EXPECT_TRUE(stays(wall(), strip, 32.0));
-  EXPECT_FALSE(stays(wall(), inner_strip, 32.0));
+  EXPECT_TRUE(stays(wall(), strip, 0.90));
+  EXPECT_FALSE(stays(wall(), inner_strip, 0.90));
 }
 
 TEST(Thickness, HolesAreAQuarterOfABorder) {
@@ -84,6 +84,9 @@ TEST(Thickness, TheLargestIsTheFirst) {
   RegionMap map = epcc::test::regionsOf(image, labels, 3);
   epcc::rejectThin(image, InverseDepthParameters(), kSensor, 1, map, memory);
   ASSERT_EQ(map.regions.size(), 3u);
+  ASSERT_EQ(map.confidence.size(), 3u);
+  EXPECT_GT(map.confidence[0], map.confidence[1]);
+  EXPECT_LE(map.confidence[0], 1.0);
   EXPECT_EQ(map.regions[0].n, 80.0 * kHeight);
   const std::int32_t expected[] = {0, 2, 3, 1};  // of equal ones the former first goes first
   for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(map.labels[i], expected[labels[i]]);
@@ -98,7 +101,7 @@ TEST(Thickness, WhatIsLeftIsNumberedWithoutGaps) {
   RegionMap map = epcc::test::regionsOf(image, labels, 7);
   const double n = map.regions[4].n;
   InverseDepthParameters parameters;
-  parameters.expert.evidence.min_thickness = 16.0;
+  parameters.min_confidence = 0.76;
   epcc::rejectThin(image, parameters, kSensor, 1, map, memory);
   ASSERT_EQ(map.regions.size(), 1u);
   EXPECT_EQ(map.regions[0].n, n);
@@ -111,9 +114,9 @@ TEST(Thickness, TheGridChangesLittle) {
   samples.sample(image, 2);
   samples.weigh(kSensor, image.placeVariance());
   const SensorModel sensor = SensorModel::axial(0.003, 0.0, 4.0);  // blotches far longer than the grid
-  for (const double min_thickness : {1.0, 2.0, 4.0, 8.0, 16.0}) {
+  for (const double min_confidence : {0.05, 0.12, 0.29, 0.53, 0.76}) {
     InverseDepthParameters parameters;
-    parameters.expert.evidence.min_thickness = min_thickness;
+    parameters.min_confidence = min_confidence;
     std::vector<bool> left;
     for (const int stride : {1, 2}) {
       const InverseDepthImage& grid = stride == 1 ? image : samples;
@@ -126,7 +129,7 @@ TEST(Thickness, TheGridChangesLittle) {
       epcc::rejectThin(grid, parameters, sensor.withCorrelationLength(4.0 / stride), stride, map, memory);
       left.push_back(!map.regions.empty());
     }
-    EXPECT_EQ(left[0], left[1]) << min_thickness;
+    EXPECT_EQ(left[0], left[1]) << min_confidence;
   }
 }
 
