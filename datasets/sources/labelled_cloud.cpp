@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads a cloud's points, finds out how they were seen, and turns its label field into a label image.
+// Finds out how a cloud was seen, and turns its label field into a label image.
 #include "datasets/sources/labelled_cloud.h"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "datasets/files/cloud_frame.h"
 #include "datasets/files/organized_pcd.h"
 #include "datasets/files/pcd_header.h"
 #include "datasets/support/folder_listing.h"
@@ -46,32 +47,7 @@ std::size_t firstFraction(const std::vector<float>& values) {
   return static_cast<std::size_t>(fraction - values.begin());
 }
 
-float measured(const float* p, Projection projection) {
-  if (!std::isfinite(p[0] + p[1] + p[2])) return 0.0F;
-  if (projection == Projection::Spherical) return std::hypot(p[0], p[1], p[2]);
-  const float z = projection == Projection::Perspective ? p[2] : -p[2];
-  return z > 0.0F ? z : 0.0F;
-}
-
-/// Takes the points out of the cloud.
-LabelledFrame unlabelledFrame(const std::string& path, OrganizedCloud& cloud, Projection projection) {
-  LabelledFrame frame;
-  frame.name = std::filesystem::path(path).stem().string();
-  frame.projection = projection;
-  frame.depth = DepthImage(cloud.width, cloud.height);
-  for (std::size_t i = 0; i < frame.depth.data.size(); ++i)
-    frame.depth.data[i] = measured(&cloud.xyz[3 * i], projection);
-  frame.scan = std::move(cloud.xyz);
-  return frame;
-}
-
 }  // namespace
-
-LabelledFrame readCloud(const std::string& path) {
-  OrganizedCloud cloud = readOrganizedPcd(path);
-  const Projection projection = detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height);
-  return unlabelledFrame(path, cloud, projection);
-}
 
 LabelledFrame readLabelledCloud(const std::string& path) {
   const std::string field = labelField(path);
@@ -85,11 +61,14 @@ LabelledFrame readLabelledCloud(const std::string& path) {
   const bool synpeb = is_intensity && whole;
   const Projection projection =
       synpeb ? Projection::Spherical : detectProjection(cloud.xyz.data(), 3, cloud.width, cloud.height);
-  LabelledFrame frame = unlabelledFrame(path, cloud, projection);
-  if (!whole) return frame;
+  LabelImage labels;
+  if (whole) {
+    labels = LabelImage(cloud.width, cloud.height);
+    std::transform(cloud.label.begin(), cloud.label.end(), labels.data.begin(), synpeb ? synpebLabel : plainLabel);
+  }
+  LabelledFrame frame = cloudFrame(std::filesystem::path(path).stem().string(), std::move(cloud), projection);
+  frame.labels = std::move(labels);
   if (synpeb) frame.camera.noise = kSynpebNoise;
-  frame.labels = LabelImage(cloud.width, cloud.height);
-  std::transform(cloud.label.begin(), cloud.label.end(), frame.labels.data.begin(), synpeb ? synpebLabel : plainLabel);
   return frame;
 }
 

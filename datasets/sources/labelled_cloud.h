@@ -9,10 +9,6 @@
 
 namespace epcc {
 
-/// Reads a .pcd without looking for labels: `scan` holds the points, `depth` their ranges (a scan) or distances along
-/// the optical axis (a camera's cloud).
-LabelledFrame readCloud(const std::string& path);
-
 /// Reads a .pcd with its labels.
 /// Field `label`: 0 no plane, 1..65534 plane, 65535 ignore, larger (PCL's "none") no plane.
 /// Field `intensity` (SynPEB): 10..65534 plane, all else is no plane of the data set and becomes "ignore"; the noise

@@ -42,6 +42,20 @@ TEST_F(DatasetRegistry, NativeFoldersAreFoundOutAndNamed) {
   EXPECT_EQ(named->read(0).depth.at(0, 1), 1.0F);
 }
 
+TEST_F(DatasetRegistry, CloudsWithAJsonAreNativeFramesAndBareOnesArePcd) {
+  const std::string cloud =
+      "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 2\n"
+      "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n1 2 2\n3 0 4\n";
+  write("scans/a.pcd", cloud);
+  write("scans/a.json", R"({"noise": "0.02,0,1"})");
+  write("bare/a.pcd", cloud);
+  write("bare/other.json", "{}");
+  const auto scans = openDataset(path("scans"));
+  EXPECT_EQ(scans->read(0).camera.noise, "0.02,0,1");
+  EXPECT_EQ(scans->files(0).front(), path("scans/a.pcd"));
+  EXPECT_FALSE(openDataset(path("bare"))->read(0).camera.noise.has_value());
+}
+
 TEST_F(DatasetRegistry, FolderWithAColonIsAFolder) {
   native("abw:x");
   const std::string here = std::filesystem::current_path().string();
