@@ -70,14 +70,16 @@ void drawAxes(ColorImage& image, const LineChart& chart) {
   const double x_end = axisEnd(largest<&ChartPoint::x>(chart)), y_end = axisEnd(largest<&ChartPoint::y>(chart));
   const double x_step = tickStep(x_end), y_step = tickStep(y_end);
   const ChartPixel origin = chartPixel(chart, 0.0, 0.0), far = chartPixel(chart, x_end, y_end);
-  for (double x = 0.0; x < x_end + 0.5 * x_step; x += x_step) {
+  for (long tick = 0; tick <= std::lround(x_end / x_step); ++tick) {
+    const double x = static_cast<double>(tick) * x_step;
     const int column = chartPixel(chart, x, 0.0).column;
     const std::string text = tickText(x, x_step);
     fill(image, {column, far.row}, {column, origin.row}, kGrid);
     fill(image, {column, origin.row}, {column, origin.row + kTick}, kInk);
     drawText(image, text, column - textLength(text, kScale) / 2, origin.row + kTick + kGap, kScale, kInk);
   }
-  for (double y = 0.0; y < y_end + 0.5 * y_step; y += y_step) {
+  for (long tick = 0; tick <= std::lround(y_end / y_step); ++tick) {
+    const double y = static_cast<double>(tick) * y_step;
     const int row = chartPixel(chart, 0.0, y).row;
     const std::string text = tickText(y, y_step);
     fill(image, {origin.column, row}, {far.column, row}, kGrid);
