@@ -9,6 +9,7 @@ out=results/accuracy
 scripts/prepare.sh epcc_accuracy
 build/release/bin/epcc_accuracy --out "$out" --page docs/research/accuracy.md "$@"
 
-# Only rendered scenes may be shown: the real frames are other people's.
+# Of the frames only rendered scenes may be shown: the real frames are other people's.
+cp "$out/curve.png" docs/images/accuracy_curve.png
 cp "$out/overlays/b-stereo_0.png" docs/images/accuracy_best.png
 cp "$out/overlays/d-stereo_0.png" docs/images/accuracy_worst.png

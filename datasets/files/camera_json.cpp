@@ -50,6 +50,14 @@ std::optional<std::string> text(const std::string& path, const nlohmann::json& j
   return found->get<std::string>();
 }
 
+/// The keys that a camera and a scan have in common; those read are taken away before the rest is kept.
+void takeNames(const std::string& path, nlohmann::json& json, CameraFile& file) {
+  file.name = text(path, json, "name").value_or("");
+  file.noise = text(path, json, "noise");
+  for (const char* key : {"name", "noise"}) json.erase(key);
+  file.extra = std::move(json);
+}
+
 }  // namespace
 
 nlohmann::json readJsonObject(const std::string& path) {
@@ -87,10 +95,15 @@ CameraFile readCameraJson(const std::string& path) {
   if (!problem.empty()) throw InputError(path, "camera", problem);
   file.depth_scale = positiveNumber(path, json, "depth_scale");
   if (file.depth_scale > kMaxDepthScale) throw InputError(path, "depth_scale", "is more than 1000 m a unit");
-  file.name = text(path, json, "name").value_or("");
-  file.noise = text(path, json, "noise");
-  for (const char* key : {"width", "height", "fx", "fy", "cx", "cy", "depth_scale", "name", "noise"}) json.erase(key);
-  file.extra = std::move(json);
+  for (const char* key : {"width", "height", "fx", "fy", "cx", "cy", "depth_scale"}) json.erase(key);
+  takeNames(path, json, file);
+  return file;
+}
+
+CameraFile readScanJson(const std::string& path) {
+  nlohmann::json json = readJsonObject(path);
+  CameraFile file;
+  takeNames(path, json, file);
   return file;
 }
 

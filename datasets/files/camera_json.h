@@ -26,6 +26,8 @@ double positiveNumber(const std::string& path, const nlohmann::json& json, const
 
 /// Needs width, height, fx, fy, cx, cy and depth_scale; unknown keys are kept. InputError names the key.
 CameraFile readCameraJson(const std::string& path);
+/// NAME.json of a scan: name, noise and the rest; there is no camera, and what such keys hold is kept in `extra`.
+CameraFile readScanJson(const std::string& path);
 void writeCameraJson(const std::string& path, const CameraFile& file);
 
 }  // namespace epcc

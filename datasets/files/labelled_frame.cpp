@@ -2,9 +2,12 @@
 // Reads and writes the three files of a frame, and checks their sizes against each other.
 #include "datasets/files/labelled_frame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
+#include "datasets/files/cloud_frame.h"
 #include "datasets/files/png_io.h"
 #include "datasets/support/folder_listing.h"
 #include "datasets/support/input_error.h"
@@ -18,16 +21,50 @@ const char kDepthEnding[] = "_depth.png";
 const char kLabelsEnding[] = "_labels.png";
 const char kCameraEnding[] = ".json";
 constexpr std::uint16_t kNoDepth = 65535;  // what sensors write where they saw nothing, or too far to be said
+const char kCloudEnding[] = ".pcd";
 
 std::string pathOf(const std::string& folder, const std::string& name, const char* ending) {
   return (fs::path(folder) / (name + ending)).string();
 }
 
-void checkSize(const std::string& path, const Image<std::uint16_t>& image, const PinholeCamera& camera) {
-  if (image.width == camera.width && image.height == camera.height) return;
-  throw InputError(
-      path, "size",
-      sizeText(image.width, image.height) + ", but the camera file says " + sizeText(camera.width, camera.height));
+bool fileExists(const std::string& path) {
+  std::error_code code;
+  const bool exists = fs::exists(path, code);
+  if (code) throw InputError(path, "file", code.message());
+  return exists;
+}
+
+void checkSize(const std::string& path, const Image<std::uint16_t>& image, int width, int height,
+               const std::string& whose) {
+  if (image.width == width && image.height == height) return;
+  throw InputError(path, "size",
+                   sizeText(image.width, image.height) + ", but " + whose + " " + sizeText(width, height));
+}
+
+/// Names of the scans of a folder: clouds with a JSON beside them.
+std::vector<std::string> listScans(const std::string& folder) {
+  const std::vector<std::string> clouds = filesEndingIn(folder, kCloudEnding);
+  if (clouds.empty()) return {};
+  const std::vector<std::string> described = filesEndingIn(folder, kCameraEnding);
+  std::vector<std::string> scans;
+  std::set_intersection(clouds.begin(), clouds.end(), described.begin(), described.end(), std::back_inserter(scans),
+                        naturallyBefore);
+  return scans;
+}
+
+LabelledFrame readScan(const std::string& cloud_path, const std::string& json_path) {
+  LabelledFrame frame = readCloud(cloud_path);
+  frame.camera = readScanJson(json_path);
+  return frame;
+}
+
+LabelledFrame readDepthImage(const std::string& depth_path, const std::string& json_path) {
+  LabelledFrame frame;
+  frame.camera = readCameraJson(json_path);
+  const auto raw = readGray16(depth_path);
+  checkSize(depth_path, raw, frame.camera.camera.width, frame.camera.camera.height, "the camera file says");
+  frame.depth = depthFromPng(raw, frame.camera.depth_scale);
+  return frame;
 }
 
 /// Nothing is written that could not be read back.
@@ -45,24 +82,30 @@ DepthFrame frameView(const LabelledFrame& frame) {
 }
 
 std::vector<std::string> listLabelledFrames(const std::string& folder) {
-  return filesEndingIn(folder, kDepthEnding);
+  const std::vector<std::string> images = filesEndingIn(folder, kDepthEnding);
+  const std::vector<std::string> scans = listScans(folder);
+  std::vector<std::string> names;
+  std::set_union(images.begin(), images.end(), scans.begin(), scans.end(), std::back_inserter(names), naturallyBefore);
+  return names;
+}
+
+std::string labelledFrameFile(const std::string& folder, const std::string& name) {
+  const std::string image = existingFile(pathOf(folder, name, kDepthEnding));
+  const std::string cloud = existingFile(pathOf(folder, name, kCloudEnding));
+  return !fileExists(image) && fileExists(cloud) ? cloud : image;
 }
 
 LabelledFrame readLabelledFrame(const std::string& folder, const std::string& name) {
-  LabelledFrame frame;
+  const std::string json_path = existingFile(pathOf(folder, name, kCameraEnding));
+  const std::string file = labelledFrameFile(folder, name);
+  const bool is_scan = hasEnding(file, kCloudEnding);
+  LabelledFrame frame = is_scan ? readScan(file, json_path) : readDepthImage(file, json_path);
   frame.name = name;
-  frame.camera = readCameraJson(existingFile(pathOf(folder, name, kCameraEnding)));
-  const std::string depth_path = existingFile(pathOf(folder, name, kDepthEnding));
-  const auto raw = readGray16(depth_path);
-  checkSize(depth_path, raw, frame.camera.camera);
-  frame.depth = depthFromPng(raw, frame.camera.depth_scale);
   const std::string labels_path = existingFile(pathOf(folder, name, kLabelsEnding));
-  std::error_code code;
-  if (fs::exists(labels_path, code)) {
-    frame.labels = readGray16(labels_path);
-    checkSize(labels_path, frame.labels, frame.camera.camera);
-  }
-  if (code) throw InputError(labels_path, "file", code.message());
+  if (!fileExists(labels_path)) return frame;
+  frame.labels = readGray16(labels_path);
+  checkSize(labels_path, frame.labels, frame.depth.width, frame.depth.height,
+            is_scan ? "the cloud has" : "the camera file says");
   return frame;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The native format: NAME_depth.png, NAME_labels.png and NAME.json; a folder holds many.
+// The native format: NAME_depth.png or the scan NAME.pcd, NAME_labels.png and NAME.json; a folder holds many.
 #pragma once
 
 #include <string>
@@ -26,9 +26,12 @@ struct LabelledFrame {
 /// What a segmenter is given; the frame must outlive it.
 DepthFrame frameView(const LabelledFrame& frame);
 
-/// Names of the frames of a folder, numbers in numeric order; InputError if it cannot be listed.
+/// Names of the frames of a folder, numbers in numeric order: every NAME_depth.png, and every NAME.pcd that has a
+/// NAME.json beside it. InputError if the folder cannot be listed.
 std::vector<std::string> listLabelledFrames(const std::string& folder);
-/// Reads NAME's three files; InputError names the file whose size disagrees.
+/// Path of what was measured, NAME_depth.png or NAME.pcd: where both exist, the depth image.
+std::string labelledFrameFile(const std::string& folder, const std::string& name);
+/// Reads NAME's three files. InputError names the file whose size disagrees.
 LabelledFrame readLabelledFrame(const std::string& folder, const std::string& name);
 /// Depth is stored in units of camera.depth_scale, rounded; depths that do not fit 16 bits become invalid.
 void writeLabelledFrame(const std::string& folder, const LabelledFrame& frame);

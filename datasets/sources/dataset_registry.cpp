@@ -23,8 +23,13 @@ namespace fs = std::filesystem;
 bool never(const std::string&) {
   return false;
 }
+/// A cloud with a JSON beside it; folders of clouds alone have no JSON at all, or few.
+bool hasScans(const std::string& path) {
+  if (anyFileEndingIn(path, ".pcd").empty() || anyFileEndingIn(path, ".json").empty()) return false;
+  return !listLabelledFrames(path).empty();
+}
 bool isNativeFolder(const std::string& path) {
-  return !anyFileEndingIn(path, "_depth.png").empty();
+  return !anyFileEndingIn(path, "_depth.png").empty() || hasScans(path);
 }
 bool isCloudFolder(const std::string& path) {
   return !anyFileEndingIn(path, ".pcd").empty();
@@ -69,7 +74,7 @@ FormatAndPath splitDatasetText(const std::string& text) {
 
 const std::vector<DatasetFormat>& datasetFormats() {
   static const std::vector<DatasetFormat> formats = {
-      {"native", "NAME_depth.png, NAME_labels.png, NAME.json", isNativeFolder, open<NativeFolder>},
+      {"native", "NAME_depth.png or NAME.pcd, NAME_labels.png, NAME.json", isNativeFolder, open<NativeFolder>},
       {"abw", "SegComp ABW, Sun raster", isAbwFolder, open<AbwFolder>},
       {"scannet", "ScanNet scene: depth/, intrinsic/", isScannetFolder, openScannetFolder},
       {"tum", "TUM RGB-D or ICL-NUIM, camera by the folder's name", isTumFolder, openTumFolder},

@@ -79,7 +79,8 @@ std::string copyName(FrameCopy copy) {
 LabelledFrame copiedFrame(const LabelledFrame& frame, FrameCopy copy) {
   if (!frame.scan.empty()) throw std::invalid_argument("only a camera's frame can be copied onto another grid");
   LabelledFrame result = frame;
-  if (result.camera.extra.is_object()) result.camera.extra.erase("planes");
+  if (result.camera.extra.is_object())
+    for (const char* key : {"planes", "pose"}) result.camera.extra.erase(key);
   if (copy == FrameCopy::Mirrored) mirror(result);
   if (copy == FrameCopy::Transposed) transpose(result);
   if (copy == FrameCopy::HalfResolution) halve(result);

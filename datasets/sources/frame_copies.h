@@ -23,7 +23,8 @@ std::string copyName(FrameCopy copy);
 
 /// Depth, labels and camera of a camera's frame copied; std::invalid_argument for a spherical scan. At half the
 /// resolution a sensor model's correlation length, which counts pixels, is halved, but for the form poly:K1,K2,K3 and
-/// the preset d435i of that form. True planes belong to the original's axes and are left out.
+/// the preset d435i of that form. True planes and the pose belong to the original's axes and are
+/// left out.
 LabelledFrame copiedFrame(const LabelledFrame& frame, FrameCopy copy);
 
 /// Copies of another source's frames, called DATASET-COPY.

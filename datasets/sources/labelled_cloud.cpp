@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads a cloud's points, finds out how they were seen, and turns its label field into a label image.
+// Finds out how a cloud was seen, and turns its label field into a label image.
 #include "datasets/sources/labelled_cloud.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 #include <utility>
 
+#include "datasets/files/cloud_frame.h"
 #include "datasets/files/organized_pcd.h"
 #include "datasets/files/pcd_header.h"
 #include "datasets/support/folder_listing.h"
@@ -48,47 +47,7 @@ std::size_t firstFraction(const std::vector<float>& values) {
   return static_cast<std::size_t>(fraction - values.begin());
 }
 
-std::optional<SensorPose> viewpointOf(const OrganizedCloud& cloud) {
-  const auto& v = cloud.viewpoint;
-  const Eigen::Quaterniond turn(v[3], v[4], v[5], v[6]);
-  SensorPose pose;
-  pose.origin = Eigen::Vector3d(v[0], v[1], v[2]);
-  pose.axes = turn.normalized().toRotationMatrix();
-  if (pose.origin.isZero() && pose.axes.isIdentity()) return std::nullopt;
-  return pose;
-}
-
-/// Takes the points out of the cloud.
-LabelledFrame unlabelledFrame(const std::string& path, OrganizedCloud& cloud, bool is_scan) {
-  LabelledFrame frame;
-  frame.name = std::filesystem::path(path).stem().string();
-  frame.known.viewpoint = viewpointOf(cloud);
-  if (is_scan) frame.known.projection = Projection::Spherical;
-  frame.depth = DepthImage(cloud.width, cloud.height);
-  frame.scan = std::move(cloud.xyz);
-  findCloudGeometry(frame, frame.known);
-  return frame;
-}
-
 }  // namespace
-
-void findCloudGeometry(LabelledFrame& frame, const CloudOptions& options) {
-  DepthImage& depth = frame.depth;
-  frame.geometry = findGeometry(frame.scan.data(), 3, depth.width, depth.height, options);
-  std::fill(depth.data.begin(), depth.data.end(), 0.0F);
-  const DepthFrame view = frameView(frame);
-  if (view.empty()) return;
-  Eigen::Vector3d point;
-  for (int row = 0; row < depth.height; ++row)
-    for (int column = 0; column < depth.width; ++column)
-      if (view.scanPoint(row, column, point))
-        depth.data[view.index(row, column)] = static_cast<float>(view.measuredDepth(point));
-}
-
-LabelledFrame readCloud(const std::string& path) {
-  OrganizedCloud cloud = readOrganizedPcd(path);
-  return unlabelledFrame(path, cloud, false);
-}
 
 LabelledFrame readLabelledCloud(const std::string& path) {
   const std::string field = labelField(path);
@@ -100,11 +59,11 @@ LabelledFrame readLabelledCloud(const std::string& path) {
   if (!whole && !is_intensity)
     throw InputError(path, field, "of point " + std::to_string(fraction) + " is not a whole number, so it is no label");
   const bool synpeb = is_intensity && whole;
-  LabelledFrame frame = unlabelledFrame(path, cloud, synpeb);
+  LabelledFrame frame = cloudFrame(std::filesystem::path(path).stem().string(), cloud, synpeb);
   if (!whole) return frame;
-  if (synpeb) frame.camera.noise = kSynpebNoise;
   frame.labels = LabelImage(cloud.width, cloud.height);
   std::transform(cloud.label.begin(), cloud.label.end(), frame.labels.data.begin(), synpeb ? synpebLabel : plainLabel);
+  if (synpeb) frame.camera.noise = kSynpebNoise;
   return frame;
 }
 

@@ -9,14 +9,6 @@
 
 namespace epcc {
 
-/// Reads a .pcd without looking for labels: `scan` holds the points, `geometry` how they were seen, `depth` their
-/// ranges (a scan) or distances along the optical axis (a camera's cloud). A cloud whose geometry is unknown has no
-/// depths, and frameView() says why.
-LabelledFrame readCloud(const std::string& path);
-
-/// Looks for the geometry of a frame's cloud with other options, and measures its depths anew.
-void findCloudGeometry(LabelledFrame& frame, const CloudOptions& options);
-
 /// Reads a .pcd with its labels.
 /// Field `label`: 0 no plane, 1..65534 plane, 65535 ignore, larger (PCL's "none") no plane.
 /// Field `intensity` (SynPEB): 10..65534 plane, all else is no plane of the data set and becomes "ignore"; the noise

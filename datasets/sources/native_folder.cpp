@@ -5,10 +5,10 @@
 namespace epcc {
 
 NativeFolder::NativeFolder(const std::string& folder)
-    : NamedFrames(folder, listLabelledFrames(folder), "frame NAME_depth.png") {}
+    : NamedFrames(folder, listLabelledFrames(folder), "frame NAME_depth.png or NAME.pcd with NAME.json") {}
 
 std::vector<std::string> NativeFolder::files(std::size_t index) const {
-  return {path(index, "_depth.png"), path(index, ".json"), path(index, "_labels.png")};
+  return {labelledFrameFile(folder(), name(index)), path(index, ".json"), path(index, "_labels.png")};
 }
 
 LabelledFrame NativeFolder::read(std::size_t index) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder of native labelled frames as a data set.
+// A folder of native labelled frames, depth images and scans, as a data set.
 #pragma once
 
 #include <string>

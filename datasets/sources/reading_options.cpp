@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "datasets/sources/labelled_cloud.h"
+#include "datasets/files/cloud_frame.h"
 
 namespace epcc {
 

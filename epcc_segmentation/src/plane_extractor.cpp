@@ -14,6 +14,7 @@
 #include "inverse_depth/sample_grid.h"
 #include "metric/metric_pipeline.h"
 #include "plane_fit_samples.h"
+#include "sensor/sensor_adaptation.h"
 
 namespace epcc {
 

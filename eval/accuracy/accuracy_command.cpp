@@ -9,10 +9,12 @@
 #include <optional>
 #include <ostream>
 
+#include "datasets/files/png_io.h"
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
 #include "datasets/support/output_folder.h"
 #include "eval/accuracy/accuracy.h"
+#include "eval/accuracy/accuracy_chart.h"
 #include "eval/accuracy/accuracy_report.h"
 #include "eval/program/command_line.h"
 #include "eval/program/progress_line.h"
@@ -22,12 +24,15 @@ namespace epcc {
 namespace {
 
 constexpr const char* kDescription =
-    "Scores the segmenter and the baselines on the public data sets, their halves and copies, and on rendered scenes.\n"
+    "Scores the segmenter and the baselines on the public data sets, their halves and copies, a sequence, and "
+    "rendered\n"
+    "scenes.\n"
     "Prints the tables of docs/research/accuracy.md; with --page it renews them in that page, unless something was\n"
     "missing.";
 constexpr const char* kFooter =
-    "Exit codes: 0 done, 2 wrong usage, 3 a data set is missing or a frame could not be scored (the rest is done, the\n"
-    "page stays as it is), 4 an output could not be written.";
+    "Exit codes: 0 done (frames that a method of PCL failed on are named), 2 wrong usage, 3 a data set is missing or "
+    "a\n"
+    "frame could not be scored (the rest is done, the page stays as it is), 4 an output could not be written.";
 
 struct CommandOptions {
   AccuracyOptions accuracy{"../shared/data", "results/accuracy"};
@@ -41,7 +46,8 @@ std::optional<int> parse(int argc, const char* const* argv, CommandOptions& opti
   app.set_version_flag("--version", versionText("epcc_accuracy"));
   AccuracyOptions& accuracy = options.accuracy;
   app.add_option("--data", accuracy.data, "Folder of the data sets (" + accuracy.data + ")")->type_name("DIR");
-  app.add_option("--out", accuracy.out, "Folder for frames.csv and overlays/ (" + accuracy.out + ")")->type_name("DIR");
+  app.add_option("--out", accuracy.out, "Folder for frames.csv, curve.png and overlays/ (" + accuracy.out + ")")
+      ->type_name("DIR");
   app.add_option("--page", options.page, "Page whose tables are renewed (none)")->type_name("FILE.md");
   app.add_option("--seeds", accuracy.seeds, "Seeds of each rendered scene and noise (2)")
       ->type_name("N")
@@ -75,7 +81,10 @@ int runAccuracyCommand(const CommandOptions& options, std::ostream& out, std::os
   const AccuracyResult result = measure(options.accuracy, err);
   const std::vector<NamedTable> tables = accuracyTables(result);
   writeTextFile((std::filesystem::path(options.accuracy.out) / "frames.csv").string(), csvTable(result.rows));
+  writeRgb((std::filesystem::path(options.accuracy.out) / "curve.png").string(),
+           drawLineChart(accuracyChart(result.curve)));
   for (const auto& [name, table] : tables) out << name << '\n' << textTable(table) << '\n';
+  for (const std::string& failure : result.failures) err << "epcc_accuracy: " << printable(failure, 2000) << '\n';
   for (const std::string& problem : result.problems) err << "epcc_accuracy: " << printable(problem, 2000) << '\n';
   if (!result.problems.empty()) return kExitInput;
   if (!options.page.empty()) writeTextFile(options.page, pageWithTables(page, tables, options.page));

@@ -7,6 +7,7 @@
 #include "datasets/rendered/scene.h"
 #include "datasets/sources/frame_copies.h"
 #include "datasets/support/input_error.h"
+#include "eval/report/repeatability_table.h"
 
 namespace epcc {
 
@@ -42,6 +43,11 @@ Table tableOf(const Names& left, const Names& right) {
   return table;
 }
 
+/// ", 1 failed": frames that a method could not do, which add to no number.
+std::string failedFrames(const SummaryRow& row) {
+  return row.errors > 0 ? ", " + count(row.errors) + " failed" : "";
+}
+
 Table totalsTable(const ExperimentSummary& all) {
   Table table = tableOf({"data", "method"}, {"frames", "N", "IC/N", "D/N", "N_o", "N_u", "correct", "noise", "ms"});
   for (const std::string& dataset : accuracyDatasets())
@@ -50,10 +56,11 @@ Table totalsTable(const ExperimentSummary& all) {
       if (row.frames == 0) continue;
       const PaperMeasures& paper = row.measures.paper;
       const auto ms = row.medianMs();
-      table.rows.push_back(
-          {dataset, method, count(row.frames), count(paper.surfaces), ratio(paper.clusters, paper.surfaces),
-           ratio(paper.detected, paper.surfaces), count(paper.over_segmented), count(paper.under_segmented),
-           count(row.measures.segcomp.correct), count(row.measures.segcomp.noise), ms ? numberCell(*ms, 0) : "-"});
+      table.rows.push_back({dataset, method, count(row.frames) + failedFrames(row), count(paper.surfaces),
+                            ratio(paper.clusters, paper.surfaces), ratio(paper.detected, paper.surfaces),
+                            count(paper.over_segmented), count(paper.under_segmented),
+                            count(row.measures.segcomp.correct), count(row.measures.segcomp.noise),
+                            ms ? numberCell(*ms, 0) : "-"});
     }
   return table;
 }
@@ -65,11 +72,43 @@ Cells shortCells(const SummaryRow& row) {
           count(row.measures.segcomp.correct), count(row.measures.segcomp.noise)};
 }
 
+/// "12 (3)": correct and, in brackets, noise; "-" for what was not run.
+std::string correctAndNoise(const SummaryRow& row) {
+  const SegcompMeasures& segcomp = row.measures.segcomp;
+  if (row.frames == 0) return "-";
+  return count(segcomp.correct) + " (" + count(segcomp.noise) + ")" + failedFrames(row);
+}
+
+/// The data sets of a summary in the order in which they came.
+Names datasetsOf(const ExperimentSummary& summary) {
+  Names names;
+  for (const SummaryRow& row : summary.rows())
+    if (std::find(names.begin(), names.end(), row.dataset) == names.end()) names.push_back(row.dataset);
+  return names;
+}
+
+Table sensorsTable(const ExperimentSummary& sensors) {
+  Table table = tableOf({"sensor"}, {"frames", "N"});
+  for (const std::string& method : accuracyMethods()) table.columns.push_back({method, true});
+  const auto add = [&](const std::string& name, const Names& datasets) {
+    const SummaryRow measured = sumOf(sensors, datasets, kAutoMethod);
+    Cells cells = {name, count(measured.frames), count(measured.measures.paper.surfaces)};
+    for (const std::string& method : accuracyMethods()) {
+      const SummaryRow row = sumOf(sensors, datasets, method);
+      cells.push_back(row.frames == measured.frames ? correctAndNoise(row) : "-");
+    }
+    table.rows.push_back(cells);
+  };
+  for (const std::string& name : datasetsOf(sensors)) add(name, {name});
+  if (!table.rows.empty()) add("all", datasetsOf(sensors));
+  return table;
+}
+
 Table halvesTable(const AccuracyResult& result) {
   Table table = tableOf({"data", "method"}, {"even N", "IC/N", "D/N", "correct", "noise"});
   for (const char* title : {"odd N", "IC/N", "D/N", "correct", "noise"}) table.columns.push_back({title, true});
   for (const std::string& dataset : accuracyDatasets())
-    for (const char* method : {"epcc", kAutoMethod}) {
+    for (const char* method : {kAutoMethod, "epcc"}) {
       const SummaryRow even = sumOf(result.halves[0], {dataset}, method);
       const SummaryRow odd = sumOf(result.halves[1], {dataset}, method);
       if (odd.frames == 0) continue;  // a single frame has no halves
@@ -82,19 +121,55 @@ Table halvesTable(const AccuracyResult& result) {
 }
 
 Table copiesTable(const ExperimentSummary& all) {
-  Table table = tableOf({"data", "copy"}, {"N", "IC/N", "D/N", "correct", "noise", "auto correct", "auto noise"});
+  Table table = tableOf({"data", "copy"}, {"N", "IC/N", "D/N", "correct", "noise", "preset correct", "preset noise"});
   for (const std::string& dataset : accuracyDatasets()) {
     std::vector<std::pair<std::string, std::string>> copies = {{"original", dataset}};
     for (const FrameCopy copy : frameCopies()) copies.emplace_back(copyName(copy), dataset + "-" + copyName(copy));
-    if (sumOf(all, {copies.back().second}, "epcc").frames == 0) continue;
+    if (sumOf(all, {copies.back().second}, kAutoMethod).frames == 0) continue;
     for (const auto& [name, source] : copies) {
       Cells cells = {dataset, name};
-      append(cells, shortCells(sumOf(all, {source}, "epcc")));
-      const SegcompMeasures measured = sumOf(all, {source}, kAutoMethod).measures.segcomp;
-      append(cells, {count(measured.correct), count(measured.noise)});
+      append(cells, shortCells(sumOf(all, {source}, kAutoMethod)));
+      const SummaryRow given = sumOf(all, {source}, "epcc");
+      const SegcompMeasures& segcomp = given.measures.segcomp;
+      append(cells, given.frames > 0 ? Cells{count(segcomp.correct), count(segcomp.noise)} : Cells{"-", "-"});
       table.rows.push_back(cells);
     }
   }
+  return table;
+}
+
+Table repeatabilityTableOf(const std::array<SequenceResult, 2>& halves) {
+  Table table = tableOf({"method"}, {"lag"});
+  for (const char* half : {"1st half: ", "2nd half: "})
+    for (const char* title : {"pixels", "labelled", "regions repeated", "angle deg", "offset mm"})
+      table.columns.push_back({std::string(title == std::string("pixels") ? half : "") + title, true});
+  for (std::size_t row = 0; row < halves[0].rows.size() && row < halves[1].rows.size(); ++row) {
+    Cells cells = {halves[0].rows[row].method, count(halves[0].rows[row].lag)};
+    for (const SequenceResult& half : halves) append(cells, repeatabilityCells(half.rows[row].sums));
+    table.rows.push_back(cells);
+  }
+  return table;
+}
+
+Table curveTable(const ExperimentSummary& curve) {
+  Table table = tableOf({"data"}, {"N"});
+  for (const double value : accuracyCurve().values) {
+    const std::string text = curveText(value);
+    table.columns.push_back({text == curveDefault() ? text + ", default" : text, true});
+  }
+  const auto add = [&](const std::string& name, const Names& datasets) {
+    Cells cells = {name, count(sumOf(curve, datasets, curveDefault()).measures.paper.surfaces)};
+    for (const double value : accuracyCurve().values)
+      cells.push_back(correctAndNoise(sumOf(curve, datasets, curveText(value))));
+    table.rows.push_back(cells);
+  };
+  Names every;
+  for (const std::string& dataset : accuracyDatasets()) {
+    if (sumOf(curve, {dataset}, curveDefault()).frames == 0) continue;
+    add(dataset, {dataset});
+    every.push_back(dataset);
+  }
+  if (!every.empty()) add("all", every);
   return table;
 }
 
@@ -102,7 +177,7 @@ Table scenesTable(const ExperimentSummary& all) {
   Table table = tableOf({"noise", "scene"}, {"N"});
   for (const std::string& method : accuracyMethods()) table.columns.push_back({method, true});
   const auto add = [&](const std::string& noise, const std::string& scene, const Names& datasets) {
-    Cells cells = {noise, scene, count(sumOf(all, datasets, "epcc").measures.paper.surfaces)};
+    Cells cells = {noise, scene, count(sumOf(all, datasets, kAutoMethod).measures.paper.surfaces)};
     for (const std::string& method : accuracyMethods()) {
       const SegcompMeasures sum = sumOf(all, datasets, method).measures.segcomp;
       cells.push_back(count(sum.correct) + " (" + count(sum.noise) + ")");
@@ -132,26 +207,29 @@ std::string separateFrames(const std::vector<FrameRecord>& records, const std::s
 }
 
 Table stepsTable(const std::vector<FrameRecord>& records) {
-  Table table = tableOf({"what", "sensor"}, {"step cm", "epcc", kAutoMethod});
+  Table table = tableOf({"what", "sensor"}, {"step cm", kAutoMethod, "epcc"});
   for (const AccuracyStep& step : accuracySteps())
     table.rows.push_back({step.scene, step.sensor, numberCell(100.0 * step.metres, 0),
-                          separateFrames(records, stepDataset(step), "epcc"),
-                          separateFrames(records, stepDataset(step), kAutoMethod)});
+                          separateFrames(records, stepDataset(step), kAutoMethod),
+                          separateFrames(records, stepDataset(step), "epcc")});
   return table;
 }
 
+/// The row of a frame with the sensor measured stands before the one with the preset, if there is one.
 Table framesTable(const std::vector<FrameRecord>& records) {
   Table table = tableOf({"data", "frame"}, {"N", "correct", "over", "under", "missed", "noise"});
-  for (const char* title : {"auto correct", "auto noise"}) table.columns.push_back({title, true});
+  for (const char* title : {"preset correct", "preset noise"}) table.columns.push_back({title, true});
   for (const FrameRecord& record : records) {
     const SegcompMeasures& segcomp = record.measures.segcomp;
-    const Cells both = {count(segcomp.correct), count(segcomp.noise)};
-    if (record.method == kAutoMethod) {
-      append(table.rows.back(), both);
+    if (record.method != kAutoMethod) {
+      Cells& row = table.rows.back();
+      row[row.size() - 2] = count(segcomp.correct);
+      row[row.size() - 1] = count(segcomp.noise);
       continue;
     }
-    table.rows.push_back({record.dataset, record.frame, count(record.measures.paper.surfaces), both[0],
-                          count(segcomp.over), count(segcomp.under), count(segcomp.missed), both[1]});
+    table.rows.push_back({record.dataset, record.frame, count(record.measures.paper.surfaces), count(segcomp.correct),
+                          count(segcomp.over), count(segcomp.under), count(segcomp.missed), count(segcomp.noise), "-",
+                          "-"});
   }
   return table;
 }
@@ -159,9 +237,15 @@ Table framesTable(const std::vector<FrameRecord>& records) {
 }  // namespace
 
 std::vector<NamedTable> accuracyTables(const AccuracyResult& result) {
-  return {{"totals", totalsTable(result.all)}, {"halves", halvesTable(result)},
-          {"copies", copiesTable(result.all)}, {"scenes", scenesTable(result.all)},
-          {"steps", stepsTable(result.steps)}, {"frames", framesTable(result.frames)}};
+  return {{"sensors", sensorsTable(result.sensors)},
+          {"totals", totalsTable(result.all)},
+          {"halves", halvesTable(result)},
+          {"copies", copiesTable(result.all)},
+          {"repeatability", repeatabilityTableOf(result.repeatability)},
+          {"curve", curveTable(result.curve)},
+          {"scenes", scenesTable(result.all)},
+          {"steps", stepsTable(result.steps)},
+          {"frames", framesTable(result.frames)}};
 }
 
 std::string pageWithTables(const std::string& page, const std::vector<NamedTable>& tables, const std::string& file) {

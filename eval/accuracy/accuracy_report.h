@@ -13,7 +13,7 @@ namespace epcc {
 /// Table and the name of its place in the page.
 using NamedTable = std::pair<std::string, Table>;
 
-/// totals, halves, copies, scenes, steps, frames.
+/// sensors, totals, halves, copies, repeatability, curve, scenes, steps, frames.
 std::vector<NamedTable> accuracyTables(const AccuracyResult& result);
 
 /// The page with every table at its place, between the lines "<!-- table NAME -->" and "<!-- end of table -->".

@@ -10,6 +10,7 @@
 #include "datasets/support/input_error.h"
 #include "eval/batch/eval_methods.h"
 #include "eval/batch/merge_command.h"
+#include "eval/batch/repeatability_command.h"
 #include "eval/batch/run_folder.h"
 #include "eval/batch/run_report.h"
 #include "eval/experiment/evaluation_files.h"
@@ -30,6 +31,9 @@ class EvalRun {
   bool openDatasets();
   /// No data set could be opened, as has been said.
   bool nothingToDo() const { return sources_.empty(); }
+  const std::vector<std::unique_ptr<FrameSource>>& sources() const { return sources_; }
+  /// Data sets that could not be opened.
+  std::size_t unusable() const { return unusable_.size(); }
   /// The sums over all results, those found in --out included. A refusal is reported and gives nothing.
   std::optional<ExperimentSummary> run();
   int exitCode(const ExperimentSummary& summary);
@@ -142,6 +146,7 @@ int runEval(const EvalOptions& options, std::ostream& out, std::ostream& err) {
     EvalRun run(options, err);
     if (!run.openDatasets()) return kExitUsage;
     if (run.nothingToDo()) return kExitInput;  // --out is left as it is, for the corrected command
+    if (!options.repeatability_lags.empty()) return runRepeatability(options, run.sources(), run.unusable(), out, err);
     const std::optional<ExperimentSummary> summary = run.run();
     if (!summary) return kExitUsage;
     out << summaryText(*summary);

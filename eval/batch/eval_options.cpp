@@ -23,9 +23,10 @@ namespace {
 
 constexpr const char* kDescription =
     "Scores plane segmentation methods on labelled frames.\n"
-    "DATASET is a folder: frames NAME_depth.png, NAME_labels.png, NAME.json, or a data set as distributed, whose "
-    "format\n"
-    "is found out or named, FORMAT:FOLDER (docs/reference/formats.md). Its name in the report is the folder's.";
+    "DATASET is a folder: frames NAME_depth.png or NAME.pcd, NAME_labels.png, NAME.json, or a data set as "
+    "distributed,\n"
+    "whose format is found out or named, FORMAT:FOLDER (docs/reference/formats.md). Its name in the report is that of\n"
+    "the folder.";
 
 constexpr const char* kFooter =
     "epcc_eval merge DIR... --out DIR joins shards; see epcc_eval merge --help.\n"
@@ -39,6 +40,7 @@ struct RawOptions {
   std::string methods;
   std::string shard = "1/1";
   ReadingArguments reading;
+  std::string lags;
 };
 
 void setMethods(const std::string& list, EvalOptions& options) {
@@ -92,12 +94,40 @@ void keepPredictions(const EvalOptions& options) {
   }
 }
 
+constexpr int kMaxLag = 10000;
+
+/// Lags from "5,25,75", each once.
+void setLags(const std::string& list, EvalOptions& options) {
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) {
+    const bool is_number =
+        !word.empty() && word.size() < 6 && word.find_first_not_of("0123456789") == std::string::npos;
+    const int lag = is_number ? std::stoi(word) : 0;
+    require(lag >= 1 && lag <= kMaxLag,
+            "--repeatability: '" + word + "' is no number of frames from 1 to " + std::to_string(kMaxLag));
+    std::vector<int>& lags = options.repeatability_lags;
+    require(std::find(lags.begin(), lags.end(), lag) == lags.end(), "--repeatability: " + word + " is named twice");
+    lags.push_back(lag);
+  }
+}
+
+/// What belongs to frames that are scored one by one, in any order.
+void refuseScoring(const RawOptions& raw, const EvalOptions& options) {
+  const std::string words = " does not go with --repeatability";
+  require(!options.resume, "--resume" + words);
+  require(!options.overlays, "--overlays" + words);
+  require(raw.shard == "1/1", "--shard" + words);
+  require(options.jobs == 1, "--jobs" + words + ": frames are taken in their order");
+}
+
 void setOptions(const RawOptions& raw, EvalOptions& options) {
   options.datasets = raw.datasets;
   setMethods(raw.methods, options);
   setPredictions(raw, options);
   require(!options.datasets.empty(), "name at least one DATASET");
   require(!options.methods.empty() || !options.predictions.empty(), "there is no method to score");
+  setLags(raw.lags, options);
+  if (!options.repeatability_lags.empty()) refuseScoring(raw, options);
   require(!options.overlays || !options.out.empty(), "--overlays needs --out");
   require(!options.resume || !options.out.empty(), "--resume needs --out");
   const std::optional<Shard> shard = parseShard(raw.shard);
@@ -141,6 +171,10 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
       ->type_name("N")
       ->check(CLI::Range(0, 1000));
   addReadingArguments(app, raw.reading);
+  app.add_option("--repeatability", raw.lags,
+                 "Instead of scores: what frames i and i + LAG of a sequence with poses have in common")
+      ->type_name("LAG,LAG,...")
+      ->check([](const std::string& text) { return text.empty() ? "LAG is empty" : ""; });
   app.add_flag("--strict", options.strict, "Exit code 3 if any frame could not be scored");
 }
 

@@ -33,6 +33,7 @@ struct EvalOptions {
   bool overlays = false;
   int pictures = 2;  ///< in the report: first, worst and best frames of each data set, so many of each
   bool strict = false;
+  std::vector<int> repeatability_lags;  ///< frames; given: sequences with poses are measured instead of frames scored
 };
 
 /// Reads the command line. Returns an exit code if the program is done (help, version, or an error that has been

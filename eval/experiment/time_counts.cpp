@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The median is found by walking over the counts in the order of the values.
+// Milliseconds in, milliseconds out.
 #include "eval/experiment/time_counts.h"
 
 #include <cmath>
@@ -7,27 +7,16 @@
 namespace epcc {
 
 void TimeCounts::add(double ms) {
-  ++counts_[std::lround(1e3 * ms)];
-  ++total_;
-}
-
-long TimeCounts::valueAt(long rank) const {
-  long passed = 0;
-  for (const auto& [microseconds, count] : counts_) {
-    passed += count;
-    if (passed > rank) return microseconds;
-  }
-  return 0;
+  microseconds_.add(std::lround(1e3 * ms));
 }
 
 std::optional<double> TimeCounts::medianMs() const {
-  if (total_ == 0) return std::nullopt;
-  return 0.5e-3 * static_cast<double>(valueAt((total_ - 1) / 2) + valueAt(total_ / 2));
+  const std::optional<double> median = microseconds_.median();
+  return median ? std::optional<double>(1e-3 * *median) : std::nullopt;
 }
 
 TimeCounts& TimeCounts::operator+=(const TimeCounts& other) {
-  for (const auto& [microseconds, count] : other.counts_) counts_[microseconds] += count;
-  total_ += other.total_;
+  microseconds_ += other.microseconds_;
   return *this;
 }
 

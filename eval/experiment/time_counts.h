@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The median of many times in memory that does not grow with their number.
+// The median of many times.
 #pragma once
 
-#include <map>
 #include <optional>
+
+#include "eval/measures/value_counts.h"
 
 namespace epcc {
 
-/// Times in whole microseconds, counted by value: what the reports show, and no more values than the times are spread.
+/// Times in whole microseconds: what the reports show.
 class TimeCounts {
  public:
   void add(double ms);
@@ -15,10 +16,7 @@ class TimeCounts {
   TimeCounts& operator+=(const TimeCounts& other);
 
  private:
-  long valueAt(long rank) const;
-
-  std::map<long, long> counts_;
-  long total_ = 0;
+  ValueCounts microseconds_;
 };
 
 }  // namespace epcc

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "datasets/files/camera_json.h"
+#include "datasets/files/cloud_frame.h"
 #include "datasets/files/labelled_frame.h"
 #include "datasets/files/png_io.h"
 #include "datasets/sources/dataset_registry.h"
-#include "datasets/sources/labelled_cloud.h"
 #include "datasets/support/folder_listing.h"
 
 namespace epcc {
@@ -49,11 +49,11 @@ SegmentInput fileInput(const std::string& path, const SegmentOptions& options) {
   return input;
 }
 
-/// The depth images of a folder of native frames as files, for a camera that is not that of their JSON.
+/// The depth images and scans of a folder of native frames as files, for a camera that is not that of their JSON.
 std::vector<SegmentInput> nativeFiles(const std::string& folder, const SegmentOptions& options) {
   std::vector<SegmentInput> inputs;
   for (const std::string& name : listLabelledFrames(folder))
-    inputs.push_back(fileInput(existingFile((fs::path(folder) / (name + kDepthEnding)).string()), options));
+    inputs.push_back(fileInput(labelledFrameFile(folder, name), options));
   return inputs;
 }
 

@@ -131,6 +131,44 @@ TEST_F(LabelledFrameTest, ListOfAFile) {
   test::expectInputError([&] { listLabelledFrames(file); }, file, "folder", "");
 }
 
+/// Two rows of two points, seen by a scanner with x forward; the third was not measured.
+const char kScan[] =
+    "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 2\n"
+    "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 4\nDATA ascii\n1 2 2\n3 0 4\nnan nan nan\n0 4 3\n";
+
+TEST_F(LabelledFrameTest, ACloudWithAJsonIsAScan) {
+  write("street.pcd", kScan);
+  write("street.json",
+        R"({"cloud": "street.pcd", "width": 2, "height": 2, "fx": 0, "depth_scale": 0, "noise": "0.02,0,1"})");
+  LabelImage labels(2, 2);
+  labels.data = {1, 2, 0, kIgnoreLabel};
+  writeGray16(path("street_labels.png"), labels);
+  EXPECT_EQ(listLabelledFrames(folder()), std::vector<std::string>{"street"});
+  EXPECT_EQ(labelledFrameFile(folder(), "street"), path("street.pcd"));
+  const LabelledFrame read = readLabelledFrame(folder(), "street");
+  EXPECT_EQ(read.name, "street");
+  EXPECT_EQ(read.labels.data, labels.data);
+  ASSERT_EQ(read.scan.size(), 12U);
+  EXPECT_EQ(read.scan[5], 4.0F);
+  EXPECT_EQ(read.camera.noise, "0.02,0,1");
+  EXPECT_EQ(read.camera.extra.at("cloud"), "street.pcd");
+  EXPECT_EQ(read.camera.camera.width, 0) << "there is no camera";
+  EXPECT_EQ(frameView(read).width(), 2);
+
+  writeGray16(path("street_labels.png"), LabelImage(2, 3));
+  test::expectInputError([&] { readLabelledFrame(folder(), "street"); }, path("street_labels.png"), "size",
+                         "2x3, but the cloud has 2x2");
+  std::filesystem::remove(path("street_labels.png"));
+  EXPECT_TRUE(readLabelledFrame(folder(), "street").labels.empty());
+}
+
+TEST_F(LabelledFrameTest, ListHoldsImagesAndScansButNoBareCloud) {
+  for (const char* name : {"f2_depth.png", "f1.pcd", "f1.json", "bare.pcd", "f3_depth.png", "f3.pcd", "f3.json"})
+    write(name, "x");
+  EXPECT_EQ(listLabelledFrames(folder()), (std::vector<std::string>{"f1", "f2", "f3"}));
+  EXPECT_EQ(labelledFrameFile(folder(), "f3"), path("f3_depth.png"));
+}
+
 TEST_F(LabelledFrameTest, MissingJson) {
   writeLabelledFrame(folder(), frame());
   std::filesystem::remove(path("room.json"));

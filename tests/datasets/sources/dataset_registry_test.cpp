@@ -9,6 +9,7 @@
 #include "datasets/sources/native_folder.h"
 #include "datasets/support/folder_listing.h"
 #include "tests/support/expect_errors.h"
+#include "tests/support/real_frames.h"
 
 namespace epcc::test {
 namespace {
@@ -40,6 +41,35 @@ TEST_F(DatasetRegistry, NativeFoldersAreFoundOutAndNamed) {
   const auto named = openDataset("native:" + path("x"));
   EXPECT_EQ(named->dataset(), "x");
   EXPECT_EQ(named->read(0).depth.at(0, 1), 1.0F);
+}
+
+TEST_F(DatasetRegistry, CloudsWithAJsonAreNativeFramesAndBareOnesArePcd) {
+  const std::string cloud =
+      "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 2\n"
+      "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n1 2 2\n3 0 4\n";
+  write("scans/a.pcd", cloud);
+  write("scans/a.json", R"({"noise": "0.02,0,1"})");
+  write("bare/a.pcd", cloud);
+  write("bare/other.json", "{}");
+  const auto scans = openDataset(path("scans"));
+  EXPECT_EQ(scans->read(0).camera.noise, "0.02,0,1");
+  EXPECT_EQ(scans->files(0).front(), path("scans/a.pcd"));
+  EXPECT_FALSE(openDataset(path("bare"))->read(0).camera.noise.has_value());
+}
+
+TEST_F(DatasetRegistry, RealFolderHoldsDepthImagesAndLidarScans) {
+  EPCC_NEED_REAL_FRAMES("sensors");
+  const auto frames = openDataset(realFolder("sensors"));
+  std::size_t scans = 0;
+  for (std::size_t i = 0; i < frames->size(); ++i) {
+    const LabelledFrame frame = frames->read(i);
+    EXPECT_EQ(frame.labels.data.size(), frame.depth.data.size()) << frame.name;
+    EXPECT_EQ(frame.scan.empty(), frame.camera.extra.count("cloud") == 0) << frame.name;
+    if (frame.scan.empty()) continue;
+    ++scans;
+    EXPECT_EQ(frame.geometry.projection, Projection::Spherical) << frame.name;
+  }
+  EXPECT_EQ(scans, 2U);
 }
 
 TEST_F(DatasetRegistry, FolderWithAColonIsAFolder) {

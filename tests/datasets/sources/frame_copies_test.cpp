@@ -75,10 +75,13 @@ TEST(FrameCopies, OddSizesKeepTheirLastPixel) {
   EXPECT_EQ(copy.labels.at(29, 39), 3);
 }
 
-TEST(FrameCopies, TruePlanesOfTheOriginalAreLeftOut) {
-  EXPECT_TRUE(original().camera.extra.contains("planes"));
-  for (const FrameCopy copy : frameCopies())
-    EXPECT_FALSE(copiedFrame(original(), copy).camera.extra.contains("planes"));
+TEST(FrameCopies, TruePlanesAndPoseOfTheOriginalAreLeftOut) {
+  LabelledFrame frame = original();
+  frame.camera.extra["pose"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  for (const char* key : {"planes", "pose"}) {
+    EXPECT_TRUE(frame.camera.extra.contains(key));
+    for (const FrameCopy copy : frameCopies()) EXPECT_FALSE(copiedFrame(frame, copy).camera.extra.contains(key)) << key;
+  }
 }
 
 TEST(FrameCopies, ScansAreRefused) {

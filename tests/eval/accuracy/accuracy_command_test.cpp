@@ -34,7 +34,7 @@ TEST_F(AccuracyCommand, HelpAndVersionAreNoErrors) {
 
 TEST_F(AccuracyCommand, UnusablePagesAreSaidBeforeTheWork) {
   expectFailure({"--page", path("none.md"), "--out", path("out")}, 3, "none.md");
-  expectFailure({"--page", write("bare.md", "no tables\n"), "--out", path("out")}, 3, "<!-- table totals -->");
+  expectFailure({"--page", write("bare.md", "no tables\n"), "--out", path("out")}, 3, "<!-- table sensors -->");
   EXPECT_EQ(names(), std::vector<std::string>{"bare.md"});
 }
 
@@ -45,18 +45,21 @@ TEST_F(AccuracyCommand, AnOutputFolderThatCannotBeMadeIsSaid) {
 
 TEST_F(AccuracyCommand, MissingDataSetsAreNamedAndThePageStaysAsItIs) {
   std::string page;
-  for (const char* name : {"totals", "halves", "copies", "scenes", "steps", "frames"})
+  for (const char* name :
+       {"sensors", "totals", "halves", "copies", "repeatability", "curve", "scenes", "steps", "frames"})
     page += std::string("<!-- table ") + name + " -->\n<!-- end of table -->\n";
   const std::string file = write("page.md", page);
   const ToolResult outcome =
       run({"--data", path("none"), "--out", path("out"), "--page", file, "--seeds", "1", "--jobs", "2"});
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 6) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 8) << outcome.err;
+  EXPECT_NE(outcome.err.find("none/sequence"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("none/kinect"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.out.find("stereo"), std::string::npos) << "rendered scenes need no data";
   EXPECT_EQ(bytesOf(file), page);
   EXPECT_TRUE(std::filesystem::exists(path("out/overlays/d-white_0.png")));
   EXPECT_TRUE(std::filesystem::exists(path("out/frames.csv")));
+  EXPECT_TRUE(std::filesystem::exists(path("out/curve.png")));
 }
 
 }  // namespace
