@@ -11,6 +11,8 @@ namespace epcc {
 
 namespace {
 
+constexpr double kPriorSlope = 2.0;  // standard deviation of a plane's slopes
+
 /// A segment as the comparison with a plane wants it: the line at mean_x +- h and the variances there.
 struct ComparedLine {
   double mean_x, mean_w, slope;
@@ -92,6 +94,7 @@ void PlaneGrowing::configure(const InverseDepthParameters& parameters, const Sen
 
 void PlaneGrowing::begin(double pixel_pitch, bool turning) {
   turning_ = turning;
+  unknown_slope2_ = 0.0;
   sample_spread_ = std::pow(correlation_length_ * pixel_pitch, 2);
   previous_count_ = 0;
   previous_begin_ = 0;
@@ -101,6 +104,11 @@ void PlaneGrowing::begin(double pixel_pitch, bool turning) {
 
 void PlaneGrowing::addLine(const ScanLineRays& rays, const GrownLine* lines, int count) {
   const std::size_t begin = plane_of_.size();
+  // Where rows are no scan lines nothing but its second segment can tell a plane's slope across the columns, and to an
+  // exact sensor a slanted plane's second column is many sigma away.
+  if (turning_)
+    unknown_slope2_ = std::pow(kPriorSlope, 2) * (std::pow(rays.side - previous_rays_.side, 2) +
+                                                  std::pow(rays.forward - previous_rays_.forward, 2));
   int candidate = 0;  // no segment before it overlaps this line or a later one
   for (int k = 0; k < count; ++k) {
     const GrownLine& line = lines[k];
@@ -114,6 +122,7 @@ void PlaneGrowing::addLine(const ScanLineRays& rays, const GrownLine* lines, int
     plane_of_.push_back(best);
   }
   previous_ = lines;
+  previous_rays_ = rays;
   previous_count_ = count;
   previous_begin_ = begin;
 }
@@ -122,7 +131,7 @@ int PlaneGrowing::startPlane(const GrownLine& line) {
   const auto w = static_cast<double>(line.mean_w);
   planes_.emplace_back();
   planes_.back().turning = turning_;
-  planes_.back().ridge = pixels_per_sample_ / (4.0 * w * w);  // a weak prior: slopes up to about 4
+  planes_.back().ridge = pixels_per_sample_ / std::pow(kPriorSlope * w, 2);  // weak: slopes up to about 4
   return static_cast<int>(planes_.size()) - 1;
 }
 
@@ -152,7 +161,7 @@ int PlaneGrowing::findPlane(const ScanLineRays& rays, const GrownLine& line, int
         p.ss * s * s + p.ff * f * f + 2.0 * p.sf * s * f + c.mean_x * (half_linear + p.sx * s + p.xf * f);
     const double even = pixels_per_sample_ * (constant + p.xx * c.h2) + c.prediction;
     const double odd = pixels_per_sample_ * 2.0 * half_linear * c.h;
-    const double most = parameters_.max_prediction * c.variance;
+    const double most = std::max(parameters_.max_prediction * c.variance, c.mean_w * c.mean_w * unknown_slope2_);
     const double before = difference - difference_change, after = difference + difference_change;
     const double before2 = before * before, after2 = after * after;
     const double variance_before = c.variance + std::min(even - odd, most);

@@ -73,6 +73,8 @@ class PlaneGrowing {
   double correlation_length_ = 0.0;      // l, pixels
   double sample_spread_ = 0.0;           // (l / f)^2
   bool turning_ = false;
+  ScanLineRays previous_rays_;
+  double unknown_slope2_ = 0.0;  // variance of w/mean_w from one column to the next by the prior alone
   const GrownLine* previous_ = nullptr;
   int previous_count_ = 0;
   std::size_t previous_begin_ = 0;  // in plane_of_
