@@ -19,8 +19,6 @@ constexpr int kSmallImage = 200;  // shorter side, pixels
 constexpr int kRounds = 3;
 
 // An effective length of 0.4 is that of grain alone.
-constexpr double kGrain = 0.4;
-constexpr double kBlotchy = 0.7;
 // Sigma of the model over that of the error, if it is blotches: their residuals scatter from block to block.
 constexpr double kSigmaOverBlotches = 2.4;
 constexpr double kSigmaOverSteps = 2.6;
@@ -111,7 +109,7 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     kept_ = bins_.kept(sigma, 1.0 - blotchy);
     blotches_ = table.fit(kept_);
     const double effective_length = blotches_.effectiveLength();
-    blotchy = std::clamp((effective_length - kGrain) / (kBlotchy - kGrain), 0.0, 1.0);
+    blotchy = blotches_.share;
     // Grain is an error along the ray, blotches are one across the surface.
     bins_.findDeviations(sigma, 1.0 - blotchy);
     if (blocks_.blockSize() == kLargeBlock) bins_.guardAgainstClutter(halves_.flat(), 1.0 - blotchy, kept_.back());
@@ -119,7 +117,7 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     result.blotch_share = blotches_.share;
     result.effective_length = effective_length;
     result.correlation_length = lengthOfModel(effective_length, largestLength(image.width, image.height));
-    findTargets(blotchy, kPlaceOfBlotch * blotchy * result.correlation_length * std::sqrt(image.placeVariance()));
+    findTargets(blotchy, kPlaceOfBlotch * std::sqrt(blotchy) * result.correlation_length * std::sqrt(image.placeVariance()));
     if (targets_.empty()) return genericEstimate(image.width, image.height);
     const SigmaFit fit = fitter_.fit(targets_);
     result.a = fit.a;
@@ -158,7 +156,7 @@ SensorMeasurement ImageEstimation::describe(const InverseDepthImage& image) {
 /// blocks may hide; and the place of a value, which is known to a blotch on surfaces of any slope.
 void ImageEstimation::findTargets(double blotchy, double place) {
   targets_.clear();
-  const double over_residual = (1.0 + blotchy * (kSigmaOverBlotches - 1.0)) * std::sqrt(blotches_.variance);
+  const double over_residual = std::sqrt((1.0 - blotchy + blotchy * kSigmaOverBlotches * kSigmaOverBlotches) * blotches_.variance);
   for (std::size_t i = 0; i < bins_.size(); ++i) {
     const DepthBin& bin = bins_[i];
     const double seen = std::max(over_residual * bin.deviation, kSigmaOverSteps * evenDeviation(bin.step));
