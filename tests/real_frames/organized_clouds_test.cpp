@@ -19,6 +19,7 @@ namespace {
 PlaneSegmentation segment(const OrganizedCloud& cloud, Projection projection, Mode mode, const std::string& sensor) {
   Parameters parameters;
   parameters.mode = mode;
+  parameters.inverse_depth.adapt_sensor = false;  // two of the scans are without error, and the numbers are of 10 mm
   PlaneExtractor extractor(parameters, SensorModel::parse(sensor).value());
   PlaneSegmentation result;
   EXPECT_TRUE(
@@ -101,7 +102,7 @@ void PrintTo(const SynpebScan& scan, std::ostream* stream) {
 
 class SynpebTest : public ::testing::TestWithParam<SynpebScan> {};
 
-/// Labels below 10 are not scored; the scans' noise is about 10 mm at every range.
+/// Labels below 10 are not scored; the noise of pc_01 is about 10 mm at every range, the others have none.
 TEST_P(SynpebTest, PlanesOfASphericalScanAreFoundByColumns) {
   EPCC_NEED_REAL_FRAMES("synpeb");
   const SynpebScan& scan = GetParam();

@@ -111,9 +111,9 @@ TEST(PlaneReport, ASinglePixelHasNoArea) {
 TEST(PlaneReport, TableHasAHeaderAndALineAPlane) {
   const PlaneSummary wall = summaryOf(Eigen::Vector4d(0.0, 0.0, -1.0, 2.0));
   EXPECT_EQ(epcc::planeTable({wall, wall}, "  "),
-            "  plane   pixels  area m2  distance m  centroid m  tilt deg  kind          rms mm\n"
-            "      1     2400    0.960       2.000       2.000      90.0  wall-like        4.2\n"
-            "      1     2400    0.960       2.000       2.000      90.0  wall-like        4.2\n");
+            "  plane   pixels  area m2  distance m  centroid m  tilt deg  kind          rms mm  confidence\n"
+            "      1     2400    0.960       2.000       2.000      90.0  wall-like        4.2        1.00\n"
+            "      1     2400    0.960       2.000       2.000      90.0  wall-like        4.2        1.00\n");
 }
 
 }  // namespace
