@@ -107,8 +107,8 @@ void PlaneGrowing::addLine(const ScanLineRays& rays, const GrownLine* lines, int
   // Where rows are no scan lines nothing but its second segment can tell a plane's slope across the columns, and to an
   // exact sensor a slanted plane's second column is many sigma away.
   if (turning_)
-    unknown_slope2_ = std::pow(kPriorSlope, 2) * (std::pow(rays.side - previous_rays_.side, 2) +
-                                                  std::pow(rays.forward - previous_rays_.forward, 2));
+    unknown_slope2_ = std::pow(2.0 * kPriorSlope, 2) * (std::pow(rays.side - previous_rays_.side, 2) +
+                                                        std::pow(rays.forward - previous_rays_.forward, 2));
   int candidate = 0;  // no segment before it overlaps this line or a later one
   for (int k = 0; k < count; ++k) {
     const GrownLine& line = lines[k];

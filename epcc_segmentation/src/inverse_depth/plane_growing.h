@@ -74,7 +74,7 @@ class PlaneGrowing {
   double sample_spread_ = 0.0;           // (l / f)^2
   bool turning_ = false;
   ScanLineRays previous_rays_;
-  double unknown_slope2_ = 0.0;  // variance of w/mean_w from one column to the next by the prior alone
+  double unknown_slope2_ = 0.0;  // what w/mean_w may change by from one column to the next, squared
   const GrownLine* previous_ = nullptr;
   int previous_count_ = 0;
   std::size_t previous_begin_ = 0;  // in plane_of_
