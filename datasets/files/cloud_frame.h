@@ -9,9 +9,9 @@
 
 namespace epcc {
 
-/// An unlabelled frame that takes the points out of the cloud: `scan` holds them, `geometry` how they were seen, `depth`
-/// their ranges (a scan) or distances along the optical axis (a camera's cloud). A cloud whose geometry is unknown has
-/// no depths, and frameView() says why. `is_scan`: it is known to be one.
+/// An unlabelled frame that takes the points out of the cloud: `scan` holds them, `geometry` how they were seen,
+/// `depth` their ranges (a scan) or distances along the optical axis (a camera's cloud). A cloud whose geometry is
+/// unknown has no depths, and frameView() says why. `is_scan`: it is known to be one.
 LabelledFrame cloudFrame(const std::string& name, OrganizedCloud& cloud, bool is_scan);
 
 /// Looks for the geometry of a frame's cloud with other options, and measures its depths anew.

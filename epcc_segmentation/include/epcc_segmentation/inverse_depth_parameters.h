@@ -11,8 +11,8 @@ struct InverseDepthParameters {
   /// reported; lower it if small faces are missing and the sensor is good enough to see them.
   int min_points = 60;
 
-  /// Planes that are less likely surfaces than this are rejected (S9), see Plane::confidence. [0, 1], default 0.3. Raise
-  /// it if ragged pieces of clutter are reported; lower it if frames, rails and other narrow planes are missing.
+  /// Planes that are less likely surfaces than this are rejected (S9), see Plane::confidence. [0, 1], default 0.3.
+  /// Raise it if ragged pieces of clutter are reported; lower it if frames, rails and other narrow planes are missing.
   double min_confidence = 0.3;
 
   /// Grid of the samples that the planes are found on, every so many rows and columns; the labels are those of all

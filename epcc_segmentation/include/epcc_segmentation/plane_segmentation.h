@@ -24,8 +24,8 @@ struct Plane {
   double rms = 0.0;
   /// Number of pixels.
   std::size_t pixel_count = 0;
-  /// How likely this is a surface and not clutter, 0 to 1, by its size, roughness and thickness (S9 of the inverse-depth
-  /// mode, InverseDepthParameters::min_confidence). 1 in the paper mode, which does not ask.
+  /// How likely this is a surface and not clutter, 0 to 1, by its size, roughness and thickness (S9 of the
+  /// inverse-depth mode, InverseDepthParameters::min_confidence). 1 in the paper mode, which does not ask.
   double confidence = 1.0;
 
   /// Signed distance of a point from the plane, metres, positive on the sensor's side.

@@ -117,7 +117,8 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     result.blotch_share = blotches_.share;
     result.effective_length = effective_length;
     result.correlation_length = lengthOfModel(effective_length, largestLength(image.width, image.height));
-    findTargets(blotchy, kPlaceOfBlotch * std::sqrt(blotchy) * result.correlation_length * std::sqrt(image.placeVariance()));
+    findTargets(blotchy,
+                kPlaceOfBlotch * std::sqrt(blotchy) * result.correlation_length * std::sqrt(image.placeVariance()));
     if (targets_.empty()) return genericEstimate(image.width, image.height);
     const SigmaFit fit = fitter_.fit(targets_);
     result.a = fit.a;
@@ -156,7 +157,8 @@ SensorMeasurement ImageEstimation::describe(const InverseDepthImage& image) {
 /// blocks may hide; and the place of a value, which is known to a blotch on surfaces of any slope.
 void ImageEstimation::findTargets(double blotchy, double place) {
   targets_.clear();
-  const double over_residual = std::sqrt((1.0 - blotchy + blotchy * kSigmaOverBlotches * kSigmaOverBlotches) * blotches_.variance);
+  const double over_residual =
+      std::sqrt((1.0 - blotchy + blotchy * kSigmaOverBlotches * kSigmaOverBlotches) * blotches_.variance);
   for (std::size_t i = 0; i < bins_.size(); ++i) {
     const DepthBin& bin = bins_[i];
     const double seen = std::max(over_residual * bin.deviation, kSigmaOverSteps * evenDeviation(bin.step));
