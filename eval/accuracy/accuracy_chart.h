@@ -3,12 +3,12 @@
 #pragma once
 
 #include "eval/experiment/experiment_summary.h"
-#include "eval/pictures/line_chart.h"
+#include "eval/pictures/plot.h"
 
 namespace epcc {
 
 /// Surfaces correct against noise clusters, both per surface, as the curve's parameter grows: a line for each data set
 /// of at least 20 surfaces; the parameter's default is marked, its first and last value are written where they differ.
-LineChart accuracyChart(const ExperimentSummary& curve);
+Plot accuracyChart(const ExperimentSummary& curve);
 
 }  // namespace epcc

@@ -81,8 +81,7 @@ int runAccuracyCommand(const CommandOptions& options, std::ostream& out, std::os
   const AccuracyResult result = measure(options.accuracy, err);
   const std::vector<NamedTable> tables = accuracyTables(result);
   writeTextFile((std::filesystem::path(options.accuracy.out) / "frames.csv").string(), csvTable(result.rows));
-  writeRgb((std::filesystem::path(options.accuracy.out) / "curve.png").string(),
-           drawLineChart(accuracyChart(result.curve)));
+  writeRgb((std::filesystem::path(options.accuracy.out) / "curve.png").string(), drawPlot(accuracyChart(result.curve)));
   for (const auto& [name, table] : tables) out << name << '\n' << textTable(table) << '\n';
   for (const std::string& failure : result.failures) err << "epcc_accuracy: " << printable(failure, 2000) << '\n';
   for (const std::string& problem : result.problems) err << "epcc_accuracy: " << printable(problem, 2000) << '\n';

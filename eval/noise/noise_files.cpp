@@ -15,6 +15,7 @@ namespace {
 
 constexpr Rgb kGray{165, 165, 165}, kBlue{31, 95, 180}, kRed{205, 50, 40}, kGreen{40, 130, 60};
 constexpr double kMillimetres = 1000.0;
+constexpr int kPlotWidth = 760;
 
 /// As SensorModel::parse takes it.
 std::string modelText(const SensorEstimate& estimate) {
@@ -23,34 +24,37 @@ std::string modelText(const SensorEstimate& estimate) {
   return text;
 }
 
+std::vector<PlotPoint> overLags(const std::vector<double>& correlation) {
+  std::vector<PlotPoint> points;
+  for (const double value : correlation) points.push_back({static_cast<double>(points.size()), value});
+  return points;
+}
+
 ColorImage residualPlot(const SensorMeasurement& measured) {
   Plot plot;
+  plot.width = kPlotWidth;
   plot.title = "RESIDUAL AGAINST DEPTH";
   plot.x_label = "DEPTH, M";
   plot.y_label = "RESIDUAL, MM";
   plot.log_x = plot.log_y = true;
-  PlotSeries blocks{"BLOCKS", PlotMark::Dots, kGray, {}, {}};
+  PlotSeries blocks{"BLOCKS", PlotMark::Dots, kGray, {}};
   double least = 1e300, most = 0.0;
   for (const SensorMeasurement::Block& block : measured.blocks) {
-    blocks.x.push_back(block.depth);
-    blocks.y.push_back(block.residual * kMillimetres);
+    blocks.points.push_back({block.depth, block.residual * kMillimetres});
     least = std::min(least, block.depth);
     most = std::max(most, block.depth);
   }
-  PlotSeries error{"ERROR", PlotMark::Squares, kBlue, {}, {}};
-  PlotSeries target{"SIGMA", PlotMark::Squares, kGreen, {}, {}};
+  PlotSeries error{"ERROR", PlotMark::Squares, kBlue, {}};
+  PlotSeries target{"SIGMA", PlotMark::Squares, kGreen, {}};
   for (const SensorMeasurement::Bin& bin : measured.bins) {
-    error.x.push_back(bin.depth);
-    error.y.push_back(bin.error * kMillimetres);
-    target.x.push_back(bin.depth);
-    target.y.push_back(bin.sigma * kMillimetres);
+    error.points.push_back({bin.depth, bin.error * kMillimetres});
+    target.points.push_back({bin.depth, bin.sigma * kMillimetres});
   }
-  PlotSeries model{"MODEL", PlotMark::Line, kRed, {}, {}};
+  PlotSeries model{"MODEL", PlotMark::Line, kRed, {}};
   constexpr int kPoints = 100;
   for (int i = 0; i <= kPoints && most > 0.0; ++i) {
     const double z = least * std::pow(most / least, static_cast<double>(i) / kPoints);
-    model.x.push_back(z);
-    model.y.push_back(measured.estimate.model().sigmaZ(z) * kMillimetres);
+    model.points.push_back({z, measured.estimate.model().sigmaZ(z) * kMillimetres});
   }
   plot.series = {blocks, error, target, model};
   return drawPlot(plot);
@@ -58,13 +62,12 @@ ColorImage residualPlot(const SensorMeasurement& measured) {
 
 ColorImage correlationPlot(const SensorMeasurement& measured) {
   Plot plot;
+  plot.width = kPlotWidth;
   plot.title = "AUTOCORRELATION OF THE RESIDUALS";
   plot.x_label = "LAG, PIXELS";
   plot.y_label = "CORRELATION";
-  PlotSeries seen{"MEASURED", PlotMark::Squares, kBlue, {}, measured.correlation};
-  PlotSeries fit{"GRAIN AND BLOTCHES", PlotMark::Line, kRed, {}, measured.correlation_fit};
-  for (std::size_t lag = 0; lag < measured.correlation.size(); ++lag) seen.x.push_back(static_cast<double>(lag));
-  for (std::size_t lag = 0; lag < measured.correlation_fit.size(); ++lag) fit.x.push_back(static_cast<double>(lag));
+  PlotSeries seen{"MEASURED", PlotMark::Squares, kBlue, overLags(measured.correlation)};
+  PlotSeries fit{"FIT", PlotMark::Line, kRed, overLags(measured.correlation_fit)};
   plot.series = {seen, fit};
   return drawPlot(plot);
 }

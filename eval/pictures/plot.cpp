@@ -1,172 +1,201 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Axes with round numbers, marks, lines and a legend, pixel by pixel.
+// Axes, marks, lines, texts and a legend, pixel by pixel.
 #include "eval/pictures/plot.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "eval/pictures/bitmap_font.h"
 
 namespace epcc {
 namespace {
 
-constexpr Rgb kInk{20, 20, 20};
-constexpr Rgb kGrid{225, 225, 225};
+constexpr Rgb kInk{30, 30, 30}, kPaper{255, 255, 255}, kGrid{225, 225, 225};
 constexpr int kTextScale = 2;
-constexpr int kLeft = 84, kRight = 16, kTop = 34, kBottom = 58;  // margins, pixels
+constexpr int kTextHeight = kTextScale * kGlyphHeight;
+constexpr int kTick = 6, kGap = 6, kWideGap = 12;                // pixels
+constexpr int kDot = 1, kSquare = 3, kLarge = 6, kHalfLine = 1;  // pixels to each side of the middle
+constexpr int kLegendMark = 28;                                  // length of a line there
 
-/// One direction: values to pixels.
-struct Axis {
-  bool log = false;
-  int first = 0, last = 0;  // pixels
-  double low = 0.0, high = 1.0;
-
-  bool shows(double value) const { return std::isfinite(value) && (!log || value > 0.0); }
-  double scaled(double value) const { return log ? std::log10(value) : value; }
-  double at(double value) const { return first + (scaled(value) - low) / (high - low) * (last - first); }
-
-  void fitTo(const std::vector<double>& values) {
-    bool any = false;
-    for (const double value : values) {
-      if (!shows(value)) continue;
-      const double v = scaled(value);
-      low = any ? std::min(low, v) : v;
-      high = any ? std::max(high, v) : v;
-      any = true;
-    }
-    const double margin = high > low ? 0.05 * (high - low) : 0.5;
-    low -= margin;
-    high += margin;
-  }
-
-  /// Round numbers within: 1, 2, 5 times powers of ten.
-  std::vector<double> ticks() const {
-    std::vector<double> result;
-    if (log) {
-      for (int power = static_cast<int>(std::floor(low)); power <= high; ++power)
-        for (const double digit : {1.0, 2.0, 5.0}) {
-          const double value = digit * std::pow(10.0, power);
-          if (scaled(value) >= low && scaled(value) <= high) result.push_back(value);
-        }
-      return result;
-    }
-    const double power = std::pow(10.0, std::floor(std::log10(high - low)));
-    const double spans = (high - low) / power;
-    const double step = power * (spans < 2.0 ? 0.2 : spans < 5.0 ? 0.5 : 1.0);
-    for (double value = std::ceil(low / step) * step; value <= high; value += step)
-      result.push_back(std::abs(value) < 0.01 * step ? 0.0 : value);
-    return result;
-  }
+struct Pixel {
+  int x = 0, y = 0;
 };
 
-std::string tickText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+bool isShown(const Plot& plot, const PlotPoint& point) {
+  return PlotAxis::canShow(plot.log_x, point.x) && PlotAxis::canShow(plot.log_y, point.y);
 }
 
-void put(ColorImage& image, int x, int y, const Rgb& color) {
-  if (x >= 0 && y >= 0 && x < image.width && y < image.height) image.at(y, x) = color;
+Pixel pixelOf(const PlotAxes& axes, const PlotPoint& point) {
+  return {axes.x.at(point.x), axes.y.at(point.y)};
 }
 
-void fillSquare(ColorImage& image, int x, int y, int half, const Rgb& color) {
-  for (int dy = -half; dy <= half; ++dy)
-    for (int dx = -half; dx <= half; ++dx) put(image, x + dx, y + dy, color);
+void fill(ColorImage& image, Pixel from, Pixel to, const Rgb& color) {
+  for (int y = std::max(0, from.y); y <= std::min(image.height - 1, to.y); ++y)
+    for (int x = std::max(0, from.x); x <= std::min(image.width - 1, to.x); ++x) image.at(y, x) = color;
 }
 
-void drawLine(ColorImage& image, double x0, double y0, double x1, double y1, int half, const Rgb& color) {
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::max(std::abs(x1 - x0), std::abs(y1 - y0)))));
+void drawSquare(ColorImage& image, Pixel middle, int reach, const Rgb& color) {
+  fill(image, {middle.x - reach, middle.y - reach}, {middle.x + reach, middle.y + reach}, color);
+}
+
+void drawLine(ColorImage& image, Pixel from, Pixel to, const Rgb& color) {
+  const int steps = std::max({1, std::abs(to.x - from.x), std::abs(to.y - from.y)});
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
-    fillSquare(image, static_cast<int>(std::lround(x0 + t * (x1 - x0))),
-               static_cast<int>(std::lround(y0 + t * (y1 - y0))), half, color);
+    drawSquare(image,
+               {from.x + static_cast<int>(std::lround(t * (to.x - from.x))),
+                from.y + static_cast<int>(std::lround(t * (to.y - from.y)))},
+               kHalfLine, color);
   }
 }
 
-void drawSeries(ColorImage& image, const PlotSeries& series, const Axis& x, const Axis& y) {
-  const std::size_t count = std::min(series.x.size(), series.y.size());
-  const auto shown = [&](std::size_t i) { return x.shows(series.x[i]) && y.shows(series.y[i]); };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!shown(i)) continue;
-    const double px = x.at(series.x[i]), py = y.at(series.y[i]);
-    if (series.mark != PlotMark::Line)
-      fillSquare(image, static_cast<int>(std::lround(px)), static_cast<int>(std::lround(py)),
-                 series.mark == PlotMark::Dots ? 1 : 4, series.color);
-    else if (i > 0 && shown(i - 1))
-      drawLine(image, x.at(series.x[i - 1]), y.at(series.y[i - 1]), px, py, 1, series.color);
-  }
+bool hasLine(const PlotSeries& series) {
+  return series.mark == PlotMark::Line || series.mark == PlotMark::LineAndSquares;
 }
 
-void drawAxes(ColorImage& image, const Plot& plot, const Axis& x, const Axis& y) {
-  const int text_height = kGlyphHeight * kTextScale;
-  int free_from = -1;  // so that numbers do not touch
-  for (const double tick : x.ticks()) {
-    const int at = static_cast<int>(std::lround(x.at(tick)));
-    drawLine(image, at, y.first, at, y.last, 0, kGrid);
-    const std::string text = tickText(tick);
+/// Of a point's mark, to each side.
+int reachOf(const PlotSeries& series, bool large) {
+  if (series.mark == PlotMark::Line) return kHalfLine;
+  if (large) return kLarge;
+  return series.mark == PlotMark::Dots ? kDot : kSquare;
+}
+
+void drawXTicks(ColorImage& image, const PlotAxes& axes) {
+  int free_from = 0;  // so that numbers do not touch
+  for (const double tick : axes.x.ticks()) {
+    const int at = axes.x.at(tick);
+    fill(image, {at, axes.y.last()}, {at, axes.y.first()}, kGrid);
+    fill(image, {at, axes.y.first()}, {at, axes.y.first() + kTick}, kInk);
+    const std::string text = axes.x.tickText(tick);
     const int length = textLength(text, kTextScale);
     if (at - length / 2 < free_from) continue;
-    drawText(image, text, at - length / 2, y.first + 8, kTextScale, kInk);
-    free_from = at + length / 2 + 8;
+    drawText(image, text, at - length / 2, axes.y.first() + kTick + kGap, kTextScale, kInk);
+    free_from = at + length / 2 + kWideGap;
   }
-  int free_below = image.height;
-  for (const double tick : y.ticks()) {
-    const int at = static_cast<int>(std::lround(y.at(tick)));
-    drawLine(image, x.first, at, x.last, at, 0, kGrid);
-    if (at + text_height / 2 > free_below) continue;
-    const std::string text = tickText(tick);
-    drawText(image, text, x.first - 8 - textLength(text, kTextScale), at - text_height / 2, kTextScale, kInk);
-    free_below = at - text_height / 2 - 4;
-  }
-  for (const int at : {y.first, y.last}) drawLine(image, x.first, at, x.last, at, 0, kInk);
-  for (const int at : {x.first, x.last}) drawLine(image, at, y.first, at, y.last, 0, kInk);
-  const auto centred = [](int first, int last, int length) { return (first + last - length) / 2; };
-  drawText(image, plot.title, centred(x.first, x.last, textLength(plot.title, kTextScale)), 10, kTextScale, kInk);
-  drawText(image, plot.x_label, centred(x.first, x.last, textLength(plot.x_label, kTextScale)),
-           image.height - text_height - 8, kTextScale, kInk);
-  drawText(image, plot.y_label, 6, centred(y.first, y.last, -textLength(plot.y_label, kTextScale)), kTextScale, kInk,
-           TextDirection::Up);
 }
 
-/// In the upper left corner of the axes, or where `right` says in the upper right one.
-void drawLegend(ColorImage& image, const Plot& plot, const Axis& x, const Axis& y, bool right) {
+void drawYTicks(ColorImage& image, const PlotAxes& axes) {
+  int free_below = image.height;
+  for (const double tick : axes.y.ticks()) {
+    const int at = axes.y.at(tick);
+    fill(image, {axes.x.first(), at}, {axes.x.last(), at}, kGrid);
+    fill(image, {axes.x.first() - kTick, at}, {axes.x.first(), at}, kInk);
+    if (at + kTextHeight / 2 > free_below) continue;
+    const std::string text = axes.y.tickText(tick);
+    drawText(image, text, axes.x.first() - kTick - kGap - textLength(text, kTextScale), at - kTextHeight / 2,
+             kTextScale, kInk);
+    free_below = at - kTextHeight / 2 - kGap;
+  }
+}
+
+void drawAxes(ColorImage& image, const Plot& plot, const PlotAxes& axes) {
+  const PlotAxis &x = axes.x, &y = axes.y;
+  drawXTicks(image, axes);
+  drawYTicks(image, axes);
+  for (const int at : {y.first(), y.last()}) fill(image, {x.first(), at}, {x.last(), at}, kInk);
+  for (const int at : {x.first(), x.last()}) fill(image, {at, y.last()}, {at, y.first()}, kInk);
+  const auto indent = [](const PlotAxis& axis, const std::string& text) {
+    return (std::abs(axis.last() - axis.first()) - textLength(text, kTextScale)) / 2;
+  };
+  drawText(image, plot.title, x.first() + indent(x, plot.title), kWideGap, kTextScale, kInk);
+  drawText(image, plot.x_label, x.first() + indent(x, plot.x_label), image.height - kTextHeight - kGap, kTextScale,
+           kInk);
+  drawText(image, plot.y_label, kGap, y.first() - indent(y, plot.y_label), kTextScale, kInk, TextDirection::Up);
+}
+
+void drawSeries(ColorImage& image, const Plot& plot, const PlotSeries& series, const PlotAxes& axes) {
+  const PlotPoint* previous = nullptr;
+  for (const PlotPoint& point : series.points) {
+    if (!isShown(plot, point)) continue;
+    const Pixel pixel = pixelOf(axes, point);
+    if (hasLine(series) && previous != nullptr) drawLine(image, pixelOf(axes, *previous), pixel, series.color);
+    drawSquare(image, pixel, reachOf(series, point.large), series.color);
+    previous = &point;
+  }
+}
+
+/// Whether nothing but the grid is in a rectangle within the axes.
+bool isFree(const ColorImage& image, const PlotAxes& axes, Pixel from, Pixel to) {
+  if (from.x <= axes.x.first() || to.x >= axes.x.last() || from.y <= axes.y.last() || to.y >= axes.y.first())
+    return false;
+  const auto same = [](const Rgb& a, const Rgb& b) { return a.r == b.r && a.g == b.g && a.b == b.b; };
+  for (int y = from.y; y <= to.y; ++y)
+    for (int x = from.x; x <= to.x; ++x)
+      if (!same(image.at(y, x), kPaper) && !same(image.at(y, x), kGrid)) return false;
+  return true;
+}
+
+/// Places of a text beside its point, the best first: right of it before left of it, below it before above it.
+std::vector<Pixel> placesBeside(Pixel point, int distance, int length) {
+  const int right = point.x + distance, left = point.x - distance - length + 1, middle_x = point.x - length / 2;
+  const int below = point.y + distance, above = point.y - distance - kTextHeight + 1;
+  const int middle_y = point.y - kTextHeight / 2;
+  return {{right, below}, {right, above},   {right, middle_y}, {left, below},
+          {left, above},  {left, middle_y}, {middle_x, below}, {middle_x, above}};
+}
+
+void drawPointText(ColorImage& image, const PlotAxes& axes, Pixel point, int reach, const std::string& text) {
+  constexpr int kApart = 4, kClear = 2;  // from the mark, and from everything else
+  const int length = textLength(text, kTextScale);
+  // The second distance is for a small mark that a large one covers.
+  for (const int distance : {reach + kApart, kLarge + kApart})
+    for (const Pixel& at : placesBeside(point, distance, length)) {
+      const Pixel end{at.x + length - 1, at.y + kTextHeight - 1};
+      if (!isFree(image, axes, {at.x - kClear, at.y - kClear}, {end.x + kClear, end.y + kClear})) continue;
+      drawText(image, text, at.x, at.y, kTextScale, kInk);
+      return;
+    }
+}
+
+int legendWidth(const Plot& plot) {
   int longest = 0;
   for (const PlotSeries& series : plot.series) longest = std::max(longest, textLength(series.name, kTextScale));
-  const int left = right ? x.last - longest - 52 : x.first + 12;
-  int top = y.last + 10;
+  return longest > 0 ? kWideGap + kLegendMark + kWideGap + longest + kGap : 0;
+}
+
+void drawLegend(ColorImage& image, const Plot& plot, const PlotAxes& axes) {
+  Pixel at{axes.x.last() + kWideGap, axes.y.last() + kTextHeight};
   for (const PlotSeries& series : plot.series) {
-    const int middle = top + kGlyphHeight * kTextScale / 2;
-    if (series.mark == PlotMark::Line)
-      drawLine(image, left, middle, left + 28, middle, 1, series.color);
-    else
-      fillSquare(image, left + 14, middle, series.mark == PlotMark::Dots ? 1 : 4, series.color);
-    drawText(image, series.name, left + 38, top, kTextScale, kInk);
-    top += kGlyphHeight * kTextScale + 8;
+    if (series.name.empty()) continue;
+    const int middle = at.y + kTextHeight / 2;
+    if (hasLine(series)) drawLine(image, {at.x, middle}, {at.x + kLegendMark, middle}, series.color);
+    drawSquare(image, {at.x + kLegendMark / 2, middle}, reachOf(series, false), series.color);
+    drawText(image, series.name, at.x + kLegendMark + kWideGap, at.y, kTextScale, kInk);
+    at.y += kTextHeight + kWideGap;
   }
 }
 
 }  // namespace
 
-ColorImage drawPlot(const Plot& plot, int width, int height) {
-  ColorImage image(width, height, Rgb{255, 255, 255});
-  Axis x{plot.log_x, kLeft, width - kRight}, y{plot.log_y, height - kBottom, kTop};
+PlotAxes plotAxes(const Plot& plot) {
   std::vector<double> all_x, all_y;
   for (const PlotSeries& series : plot.series)
-    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-      const Axis log_x{plot.log_x}, log_y{plot.log_y};
-      if (!log_x.shows(series.x[i]) || !log_y.shows(series.y[i])) continue;
-      all_x.push_back(series.x[i]);
-      all_y.push_back(series.y[i]);
+    for (const PlotPoint& point : series.points) {
+      if (!isShown(plot, point)) continue;
+      all_x.push_back(point.x);
+      all_y.push_back(point.y);
     }
-  x.fitTo(all_x);
-  y.fitTo(all_y);
-  drawAxes(image, plot, x, y);
-  for (const PlotSeries& series : plot.series) drawSeries(image, series, x, y);
-  // Where there is less: a curve that rises leaves the upper left free, one that falls the upper right.
-  const bool rises = !plot.series.empty() && !plot.series.back().y.empty() &&
-                     plot.series.back().y.back() > plot.series.back().y.front();
-  drawLegend(image, plot, x, y, !rises);
+  PlotAxes axes{PlotAxis(plot.log_x, all_x), PlotAxis(plot.log_y, all_y)};
+  const int half_number = axes.x.longestText(kTextScale) / 2 + kGap;  // of the last tick, beyond the axis
+  const int left = kGap + kTextHeight + kWideGap + axes.y.longestText(kTextScale) + kGap + kTick;
+  const int right = std::max(half_number, legendWidth(plot));
+  const int top = plot.title.empty() ? kTextHeight : 2 * kWideGap + kTextHeight;
+  const int bottom = kTick + kGap + kTextHeight + kWideGap + kTextHeight + kGap;
+  axes.x.setPixels(left, plot.width - 1 - right);
+  axes.y.setPixels(plot.height - 1 - bottom, top);
+  return axes;
+}
+
+ColorImage drawPlot(const Plot& plot) {
+  ColorImage image(plot.width, plot.height, kPaper);
+  const PlotAxes axes = plotAxes(plot);
+  drawAxes(image, plot, axes);
+  for (const PlotSeries& series : plot.series) drawSeries(image, plot, series, axes);
+  for (const PlotSeries& series : plot.series)
+    for (const PlotPoint& point : series.points)
+      if (!point.text.empty() && isShown(plot, point))
+        drawPointText(image, axes, pixelOf(axes, point), reachOf(series, point.large), point.text);
+  drawLegend(image, plot, axes);
   return image;
 }
 

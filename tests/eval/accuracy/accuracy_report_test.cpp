@@ -162,18 +162,18 @@ TEST(AccuracyCurve, ThePictureHasSharesOfTheSurfaces) {
     curve.add(abw);
     curve.add(record("icl", "f1", curveText(value), 1));
   }
-  const LineChart chart = accuracyChart(curve);
-  ASSERT_EQ(chart.lines.size(), 2U) << "four surfaces give no curve";
-  EXPECT_EQ(chart.lines[0].name, "kinect");
-  ASSERT_EQ(chart.lines[0].points.size(), accuracyCurve().values.size());
-  EXPECT_EQ(chart.lines[0].points[1].y, 0.5);
-  EXPECT_EQ(chart.lines[0].points[1].x, 0.35);
-  EXPECT_EQ(chart.lines[0].points.front().text, curveText(accuracyCurve().values.front()));
-  EXPECT_EQ(chart.lines[0].points.back().text, curveText(accuracyCurve().values.back()));
-  EXPECT_EQ(chart.lines[0].points[1].text, "");
-  EXPECT_EQ(chart.lines[1].points.front().text, "") << "the ends are in one place";
-  const auto is_marked = [](const ChartPoint& point) { return point.marked; };
-  EXPECT_EQ(std::count_if(chart.lines[0].points.begin(), chart.lines[0].points.end(), is_marked), 1);
+  const Plot chart = accuracyChart(curve);
+  ASSERT_EQ(chart.series.size(), 2U) << "four surfaces give no curve";
+  EXPECT_EQ(chart.series[0].name, "kinect");
+  ASSERT_EQ(chart.series[0].points.size(), accuracyCurve().values.size());
+  EXPECT_EQ(chart.series[0].points[1].y, 0.5);
+  EXPECT_EQ(chart.series[0].points[1].x, 0.35);
+  EXPECT_EQ(chart.series[0].points.front().text, curveText(accuracyCurve().values.front()));
+  EXPECT_EQ(chart.series[0].points.back().text, curveText(accuracyCurve().values.back()));
+  EXPECT_EQ(chart.series[0].points[1].text, "");
+  EXPECT_EQ(chart.series[1].points.front().text, "") << "the ends are in one place";
+  const auto is_large = [](const PlotPoint& point) { return point.large; };
+  EXPECT_EQ(std::count_if(chart.series[0].points.begin(), chart.series[0].points.end(), is_large), 1);
 }
 
 TEST(AccuracyCurve, ItsValuesAreThoseOfTheParameter) {
