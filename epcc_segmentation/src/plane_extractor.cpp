@@ -20,6 +20,8 @@ namespace epcc {
 
 namespace {
 
+constexpr int kAdaptingInterval = 2;  // S0 wants the size alone: half of the blocks, until a stream settles
+
 /// Seconds since the last call or the construction.
 class StopWatch {
  public:
@@ -58,8 +60,10 @@ void moveLabels(const DepthFrame& frame, std::vector<std::int32_t>& from, std::v
 
 /// Both pipelines' memory, kept from frame to frame.
 struct PlaneExtractor::Workspace {
-  Workspace(const Parameters& parameters, const SensorModel& sensor)
-      : metric(parameters, sensor), inverse_depth(parameters, sensor) {}
+  Workspace(const Parameters& parameters, const SensorModel& sensor, bool measures_sensor)
+      : metric(parameters, sensor), inverse_depth(parameters, sensor) {
+    if (!measures_sensor) estimator.reset(kAdaptingInterval);
+  }
   SensorCloud cloud;
   InverseDepthImage image;
   SensorEstimator estimator;
@@ -74,7 +78,7 @@ PlaneExtractor::PlaneExtractor(const Parameters& parameters, const std::optional
       given_sensor_(sensor.value_or(SensorEstimate().model())),
       sensor_(given_sensor_),
       measures_sensor_(!sensor.has_value()),
-      workspace_(std::make_unique<Workspace>(parameters_, sensor_)) {}
+      workspace_(std::make_unique<Workspace>(parameters_, sensor_, measures_sensor_)) {}
 PlaneExtractor::~PlaneExtractor() = default;
 PlaneExtractor::PlaneExtractor(PlaneExtractor&&) noexcept = default;
 PlaneExtractor& PlaneExtractor::operator=(PlaneExtractor&&) noexcept = default;
@@ -86,7 +90,7 @@ void PlaneExtractor::setParameters(const Parameters& parameters) {
 void PlaneExtractor::setSensor(const SensorModel& sensor) {
   given_sensor_ = sensor_ = sensor;
   measures_sensor_ = false;
-  if (workspace_) workspace_->estimator.reset();
+  if (workspace_) workspace_->estimator.reset(kAdaptingInterval);
 }
 
 void PlaneExtractor::setSensorAuto() {
@@ -97,7 +101,7 @@ void PlaneExtractor::setSensorAuto() {
 
 bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result) try {
   if (!check(frame, result)) return false;
-  if (!workspace_) workspace_ = std::make_unique<Workspace>(parameters_, sensor_);  // it was moved away
+  if (!workspace_) workspace_ = std::make_unique<Workspace>(parameters_, sensor_, measures_sensor_);  // moved away
   if (frame.geometry() == nullptr) {
     extractInSensorFrame(frame, result);
     return true;
@@ -184,8 +188,10 @@ void PlaneExtractor::adaptSensor() {
   sensor_ = given_sensor_;
   if (!measures_sensor_ && !parameters_.inverse_depth.adapt_sensor) return;
   const InverseDepthImage& image = workspace_->image;
-  const SensorEstimate measured = workspace_->estimator.update(image);
-  sensor_ = measures_sensor_ ? measured.model() : adapted(given_sensor_, measured, image, workspace_->ratios);
+  if (measures_sensor_)
+    sensor_ = workspace_->estimator.update(image).model();
+  else
+    sensor_ = adapted(given_sensor_, workspace_->estimator.update(image), image, workspace_->ratios);
 }
 
 void PlaneExtractor::listSegments(const DepthFrame& frame, PlaneSegmentation& result) const {

@@ -105,7 +105,8 @@ class EPCC_CORE_EXPORT SensorEstimator {
   SensorEstimate update(const InverseDepthImage& image);
   /// Image blocks, large and small, that the last update looked at, flat or not: what it cost.
   std::size_t blocksLookedAt() const;
-  void reset();
+  /// Starts afresh. Until the memory is full a frame measures every first_interval-th block, 1 to 10.
+  void reset(int first_interval = 1);
 
  private:
   struct Stream;

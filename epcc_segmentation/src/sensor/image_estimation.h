@@ -20,7 +20,9 @@ class ImageEstimation {
  public:
   ImageEstimation();
   /// As estimateSensor(const DepthFrame&); the image need not be weighed.
-  SensorEstimate whole(const InverseDepthImage& image);
+  SensorEstimate whole(const InverseDepthImage& image) { return share(image, Turn()); }
+  /// The same from a share of its blocks.
+  SensorEstimate share(const InverseDepthImage& image, const Turn& turn);
 
   /// Begins anew, with blocks of this size.
   void begin(int block_size);

@@ -84,13 +84,13 @@ void ImageEstimation::measure(const InverseDepthImage& image, const Turn& turn) 
   if (blocks_.blockSize() == kLargeBlock) halves_.measure(image, turn);
 }
 
-SensorEstimate ImageEstimation::whole(const InverseDepthImage& image) {
+SensorEstimate ImageEstimation::share(const InverseDepthImage& image, const Turn& turn) {
   if (image.width <= 0 || image.height <= 0) return genericEstimate(0.0, 0.0);
   const int first = blockSize(image.width, image.height);
   SensorEstimate result;
   for (const int size : {first, otherSize(first)}) {
     begin(size);
-    measure(image, Turn());
+    measure(image, turn);
     result = estimate(image);
     if (result.blocks > 0) break;
   }

@@ -27,6 +27,7 @@ struct SensorEstimator::Stream {
 
   const std::size_t memory;
   const std::size_t interval;
+  Turn first;  // of the frames before the memory is full
   int width = 0;
   int height = 0;
   SensorCloud cloud;
@@ -70,7 +71,7 @@ void SensorEstimator::Stream::update(const InverseDepthImage& next) {
 }
 
 void SensorEstimator::Stream::measureWhole(const InverseDepthImage& next) {
-  const SensorEstimate latest = estimation.whole(next);
+  const SensorEstimate latest = estimation.share(next, first);
   looked_at = estimation.lookedAt();
   remember(latest);
 }
@@ -144,7 +145,9 @@ std::size_t SensorEstimator::blocksLookedAt() const {
   return stream_->looked_at;
 }
 
-void SensorEstimator::reset() {
+void SensorEstimator::reset(int first_interval) {
+  const int phases = std::clamp(first_interval, 1, 10);
+  stream_->first = {phases - 1, phases};
   stream_->reset();
 }
 
