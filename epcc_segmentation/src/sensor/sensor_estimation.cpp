@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLargeBlock = 32;
 constexpr int kSmallBlock = 16;
-constexpr int kSmallImage = 200;  // shorter side, pixels
+constexpr int kSmallHeight = 200, kSmallWidth = 400;  // shorter and longer side, pixels
 constexpr int kRounds = 3;
 
 // An effective length of 0.4 is that of grain alone.
@@ -29,7 +29,7 @@ constexpr double kMaxBinWeight = 20.0;
 // of minimal evidence.
 constexpr double kLengthFactor = 1.9;
 constexpr double kLengthPower = 0.8;
-constexpr double kLeastLength = 1.5;
+constexpr double kLeastLength = 1.5;  // pixels of an image of 640 x 480
 constexpr double kFacesOfImage = 69.0;
 
 /// Standard deviation of an even distribution over an interval of this width.
@@ -41,8 +41,10 @@ double largestLength(double width, double height) {
   return std::sqrt(width * height) / kFacesOfImage;
 }
 
-double lengthOfModel(double effective_length, double largest) {
-  return std::min(std::max(kLeastLength, kLengthFactor * std::pow(effective_length, kLengthPower)), largest);
+double lengthOfModel(double effective_length, double width, double height) {
+  const double least = kLeastLength * std::sqrt(width * height / (640.0 * 480.0));
+  const double length = std::max(least, kLengthFactor * std::pow(effective_length, kLengthPower));
+  return std::min(length, largestLength(width, height));
 }
 
 /// Where nothing was measured.
@@ -67,7 +69,8 @@ ImageEstimation::ImageEstimation() : fitter_(kMaxBlocks) {
 }
 
 int ImageEstimation::blockSize(int width, int height) {
-  return std::min(width, height) < kSmallImage ? kSmallBlock : kLargeBlock;
+  const auto [shorter, longer] = std::minmax(width, height);
+  return shorter < kSmallHeight || longer < kSmallWidth ? kSmallBlock : kLargeBlock;
 }
 
 int ImageEstimation::otherSize(int block_size) {
@@ -116,7 +119,7 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     result.blotch_length = blotches_.length;
     result.blotch_share = blotches_.share;
     result.effective_length = effective_length;
-    result.correlation_length = lengthOfModel(effective_length, largestLength(image.width, image.height));
+    result.correlation_length = lengthOfModel(effective_length, image.width, image.height);
     findTargets(blotchy,
                 kPlaceOfBlotch * std::sqrt(blotchy) * result.correlation_length * std::sqrt(image.placeVariance()));
     if (targets_.empty()) return genericEstimate(image.width, image.height);

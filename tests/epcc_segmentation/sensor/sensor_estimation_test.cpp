@@ -282,7 +282,7 @@ TEST(SensorEstimator, SettlesOverAStreamAndOutvotesAnOddFrame) {
 }
 
 TEST(SensorEstimator, OnceSettledItsEstimateIsOfRoundsOfFourFrames) {
-  auto calm = room(320, 240), rough = room(320, 240);
+  auto calm = room(480, 360), rough = room(480, 360);  // blocks of 32 pixels, which hold blotches of five
   epcc::test::addNoise(calm, SensorModel::axial(0.002, 0.0), 1);
   epcc::test::addNoise(rough, SensorModel::axial(0.02, 0.0), 1);
   epcc::SensorEstimator estimator(1, 4);
@@ -323,7 +323,7 @@ TEST(SensorEstimator, OnceSettledEachFrameLooksAtAQuarterOfTheBlocks) {
 }
 
 TEST(SensorEstimator, FollowsAnotherSensorAsSoonAsDocumented) {
-  auto calm = room(320, 240), rough = room(320, 240);
+  auto calm = room(480, 360), rough = room(480, 360);  // blocks of 32 pixels, which hold blotches of five
   epcc::test::addNoise(calm, SensorModel::axial(0.002, 0.0), 1);
   addBlotches(rough, SensorModel::axial(0.02, 0.0), 5.0, 2);
   const auto expected = epcc::estimateSensor(rough.frame());
@@ -365,7 +365,7 @@ TEST(SensorEstimator, BlocksTooLargeForTheSceneAreFollowedByARoundOfSmallOnes) {
 }
 
 TEST(SensorEstimator, ACopyGoesOnByItself) {
-  auto calm = room(320, 240), rough = room(320, 240);
+  auto calm = room(480, 360), rough = room(480, 360);  // blocks of 32 pixels, which hold blotches of five
   epcc::test::addNoise(calm, SensorModel::axial(0.002, 0.0), 1);
   epcc::test::addNoise(rough, SensorModel::axial(0.02, 0.0), 1);
   epcc::SensorEstimator estimator(1, 1);
