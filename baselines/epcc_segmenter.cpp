@@ -5,10 +5,13 @@
 namespace epcc {
 
 bool EpccSegmenter::run(const SegmenterInput& input, PlaneSegmentation& result) {
-  // Frames of a data set are no stream: each is measured on its own.
+  Parameters parameters = parameters_;
+  if (input.sensor_is_measured) parameters.inverse_depth.adapt_sensor = false;
+  extractor_.setParameters(parameters);
+  // Frames of a data set are no stream, unless one says so: each is measured on its own.
   if (sensor_ == SensorChoice::Measured)
     extractor_.setSensorAuto();
-  else
+  else if (sensor_ == SensorChoice::Given)
     extractor_.setSensor(input.sensor);
   return extractor_.extract(input.frame, result) || fail(extractor_.error());
 }

@@ -10,8 +10,9 @@ namespace epcc {
 
 /// Where EpccSegmenter takes the sensor model from.
 enum class SensorChoice {
-  Given,    ///< SegmenterInput::sensor
-  Measured  ///< estimateSensor() of the frame at hand; its time counts
+  Given,            ///< SegmenterInput::sensor
+  Measured,         ///< estimateSensor() of the frame at hand; its time counts
+  MeasuredOnStream  ///< of the frames so far, which come in order; the result depends on them
 };
 
 /// PlaneExtractor as a PlaneSegmenter: "epcc" in Mode::InverseDepth, "epcc-paper" in Mode::Paper, with "-auto" behind
@@ -19,16 +20,17 @@ enum class SensorChoice {
 class EpccSegmenter : public PlaneSegmenter {
  public:
   explicit EpccSegmenter(const Parameters& parameters, SensorChoice sensor = SensorChoice::Given)
-      : sensor_(sensor), extractor_(parameters) {}
+      : parameters_(parameters), sensor_(sensor), extractor_(parameters) {}
   std::string name() const override {
     return std::string(extractor_.parameters().mode == Mode::Paper ? "epcc-paper" : "epcc") +
-           (sensor_ == SensorChoice::Measured ? "-auto" : "");
+           (sensor_ == SensorChoice::Given ? "" : "-auto");
   }
 
  protected:
   bool run(const SegmenterInput& input, PlaneSegmentation& result) override;
 
  private:
+  Parameters parameters_;
   SensorChoice sensor_;
   PlaneExtractor extractor_;
 };

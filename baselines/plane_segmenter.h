@@ -16,6 +16,7 @@ struct SegmenterInput {
   DepthFrame frame;    ///< Pinhole depth image or organized cloud; its data must outlive the call.
   SensorModel sensor;  ///< Noise of the frame. EPCC uses it to segment, the others only to weight the final planes.
   std::string name;    ///< Name of the frame, for labels imported from files; may be empty elsewhere.
+  bool sensor_is_measured = false;  ///< On this frame: EPCC takes it as it is, whatever its parameters say (S0).
 };
 
 /// A method that segments frames into planes.

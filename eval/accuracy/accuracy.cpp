@@ -111,7 +111,7 @@ class AccuracyRun {
         FrameJobs jobs = listJobs(sources_.sequence);
         const std::size_t middle = jobs.size() / 2;
         jobs.keepIf([&](const FrameJob& job) { return (job.position >= middle) == (half == 1); });
-        result_.repeatability[half] = measureSequences(jobs, methodsOf(epccMethods()), {{}, accuracyLags()},
+        result_.repeatability[half] = measureSequences(jobs, sequenceMethods(), {{}, accuracyLags()},
                                                        [this](std::size_t, std::size_t) { advance(); });
       }
     });

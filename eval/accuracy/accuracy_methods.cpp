@@ -13,8 +13,9 @@ namespace epcc {
 
 namespace {
 
-Method measuringMethod(const std::string& name, const Parameters& parameters) {
-  return {name, [parameters] { return std::make_unique<EpccSegmenter>(parameters, SensorChoice::Measured); }, true};
+Method measuringMethod(const std::string& name, const Parameters& parameters,
+                       SensorChoice sensor = SensorChoice::Measured) {
+  return {name, [=] { return std::make_unique<EpccSegmenter>(parameters, sensor); }, true};
 }
 
 const ParameterField& curveField() {
@@ -46,6 +47,12 @@ Method accuracyMethod(const std::string& name) {
 std::vector<Method> methodsOf(const std::vector<std::string>& names) {
   std::vector<Method> methods;
   for (const std::string& name : names) methods.push_back(accuracyMethod(name));
+  return methods;
+}
+
+std::vector<Method> sequenceMethods() {
+  std::vector<Method> methods = methodsOf(epccMethods());
+  methods.front() = measuringMethod(kAutoMethod, defaultParameters().epcc, SensorChoice::MeasuredOnStream);
   return methods;
 }
 

@@ -29,6 +29,9 @@ struct AccuracyCurve {
   const char* parameter;
   std::vector<double> values;
 };
+/// epccMethods() for frames in order: with the sensor measured on those so far.
+std::vector<Method> sequenceMethods();
+
 AccuracyCurve accuracyCurve();
 /// The parameter's default as one of its values is written.
 std::string curveDefault();

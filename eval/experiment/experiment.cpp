@@ -83,11 +83,10 @@ FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& method
     readAs(result.frame, options.reading);
     result.segmentations.resize(methods.size());
     const DepthFrame view = frameView(result.frame);
-    const SensorModel sensor =
-        frameSensor(options.noise, result.frame.camera.noise, view, result.frame.name + ".json").model;
+    const FrameSensor sensor = frameSensor(options.noise, result.frame.camera.noise, view, result.frame.name + ".json");
     for (std::size_t m = 0; m < methods.size(); ++m)
-      runMethod(methods[m], *segmenters[m], {view, sensor, job.file_name}, result.frame, result.segmentations[m],
-                result.records[m]);
+      runMethod(methods[m], *segmenters[m], {view, sensor.model, job.file_name, sensor.is_measured}, result.frame,
+                result.segmentations[m], result.records[m]);
   } catch (const std::exception& error) {
     result.reading_error = printable(error.what(), 1000);
     result.frame = LabelledFrame();

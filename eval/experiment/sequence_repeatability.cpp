@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A window of segmented frames slides over each sequence; the newest frame is compared with those at every lag.
 #include "eval/experiment/sequence_repeatability.h"
+#include "epcc_segmentation/sensor_estimation.h"
 
 #include <algorithm>
 #include <deque>
@@ -56,6 +57,7 @@ class SequenceRun {
  private:
   void startSource(const FrameSource& source) {
     source_ = &source;
+    stream_.reset();
     window_.clear();
     first_row_ = result_.rows.size();
     for (const Method& method : methods_)
@@ -69,10 +71,11 @@ class SequenceRun {
     result.view.camera = frame.camera.camera;
     result.view.pose = poseOf(frame);
     const DepthFrame depth = frameView(frame);
-    const SensorModel sensor = frameSensor(options_.noise, frame.camera.noise, depth, frame.name + ".json").model;
+    FrameSensor sensor = frameSensor(options_.noise, frame.camera.noise, depth, frame.name + ".json");
+    if (sensor.is_measured) sensor.model = stream_.update(depth).model();  // a sequence is of one sensor
     result.view.depth = frame.depth;
     for (std::size_t m = 0; m < methods_.size(); ++m)
-      result.regions.push_back(regionsOf(m, {depth, sensor, job.file_name}, result.view));
+      result.regions.push_back(regionsOf(m, {depth, sensor.model, job.file_name, sensor.is_measured}, result.view));
     return result;
   }
 
@@ -105,6 +108,7 @@ class SequenceRun {
   std::vector<std::unique_ptr<PlaneSegmenter>> segmenters_;
   PlaneSegmentation segmentation_;
   const FrameSource* source_ = nullptr;
+  SensorEstimator stream_;
   std::size_t longest_ = 0;
   std::size_t first_row_ = 0;  ///< of the source at hand
   std::deque<SeenFrame> window_;

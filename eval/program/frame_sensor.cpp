@@ -49,13 +49,13 @@ FrameSensor frameSensor(const std::string& chosen, const std::optional<std::stri
   const std::string& text = !chosen.empty() ? chosen : of_frame.value_or(kAuto);
   if (text == kAuto) {
     const SensorModel model = estimateSensor(frame).model();
-    return {model, "auto (" + model.description() + ")"};
+    return {model, "auto (" + model.description() + ")", true};
   }
   std::string why;
   const bool is_file = !chosen.empty() && isFile(text);
   const std::optional<SensorModel> model = SensorModel::parse(is_file ? noiseOfFile(text) : text, &why);
   if (!model) throw InputError(is_file ? text : camera_file, "noise", why);
-  return {*model, text};
+  return {*model, text, false};
 }
 
 }  // namespace epcc

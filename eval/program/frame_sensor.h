@@ -14,6 +14,7 @@ namespace epcc {
 struct FrameSensor {
   SensorModel model;
   std::string name;
+  bool is_measured = false;  ///< on the frame: nothing is left to adapt
 };
 
 /// Empty if `text` is "auto", a FILE.json with a key "noise", as epcc_noise writes it, or something SensorModel::parse

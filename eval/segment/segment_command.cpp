@@ -82,6 +82,9 @@ std::string segmentOne(const SegmentOptions& options, const SegmentInput& input,
   const FrameSensor sensor = frameSensor(options.noise, frame.camera.noise, view, told_by);
   times.sensor = lapMs(start);
 
+  Parameters parameters = options.parameters;
+  if (sensor.is_measured) parameters.inverse_depth.adapt_sensor = false;
+  extractor.setParameters(parameters);
   extractor.setSensor(sensor.model);
   PlaneSegmentation result;
   if (!extractor.extract(view, result)) throw InputError(input.path, "frame", extractor.error());
