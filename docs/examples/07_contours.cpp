@@ -44,7 +44,7 @@ int main() {
 }
 
 // Prints:
-//   plane 0, outline: 895 pixels, 14.0 m long
+//   plane 0, outline: 904 pixels, 14.3 m long
 //   plane 0, a hole: 120 pixels, 1.8 m long
-//   plane 1, outline: 714 pixels, 13.4 m long
-//   plane 2, outline: 537 pixels, 7.8 m long
+//   plane 1, outline: 723 pixels, 14.0 m long
+//   plane 2, outline: 539 pixels, 8.0 m long
