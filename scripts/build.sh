@@ -5,6 +5,6 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 preset=${1:-release}
-cmake --preset "$preset"
+cmake --preset "$preset" -DEPCC_BUILD_TESTS=ON -DEPCC_BUILD_TOOLS=ON
 shift || true
 cmake --build --preset "$preset" ${1:+--target "$@"}

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "datasets/files/camera_json.h"
 #include "datasets/files/png_io.h"
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
@@ -65,6 +66,13 @@ std::string outputProblem(const std::string& out, const std::vector<SegmentInput
         if (!file.empty() && canonical(file) == canonical(out + ending))
           return out + ending + " would overwrite an input or its camera";
     }
+  std::error_code ignored;
+  if (fs::is_regular_file(out + ".json", ignored)) {
+    try {
+      if (readJsonObject(out + ".json").contains("fx")) return out + ".json is a camera file: choose another name";
+    } catch (const InputError&) {  // no JSON that anyone could miss
+    }
+  }
   return {};
 }
 

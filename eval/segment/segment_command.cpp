@@ -48,6 +48,10 @@ std::string heading(const SegmentInput& input, const LabelledFrame& frame, const
   const double share = valid > 0 ? 100.0 * static_cast<double>(labelled) / static_cast<double>(valid) : 0.0;
   const char* word = result.planes.size() == 1 ? "plane" : "planes";
   char text[160];
+  if (valid == 0) {
+    std::snprintf(text, sizeof text, ": %dx%d, 0 planes: no pixel is measured\n", frame.depth.width, frame.depth.height);
+    return input.path + text;
+  }
   std::snprintf(text, sizeof text, ": %dx%d, %zu %s on %.1f %% of the measured pixels, noise ", frame.depth.width,
                 frame.depth.height, result.planes.size(), word, share);
   return input.path + text + sensor.name + '\n';

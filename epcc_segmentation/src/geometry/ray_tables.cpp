@@ -9,7 +9,7 @@ namespace epcc {
 
 namespace {
 
-constexpr double kFewestInFront = 0.97;  // of the points of a camera
+constexpr double kFewestInFront = 0.6;  // of the points of a camera; what is behind it was not measured
 constexpr double kQuantile = 0.8;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 

@@ -26,13 +26,30 @@ void InverseDepthPipeline::configure(const Parameters& parameters, const SensorM
   sensor_ = sensor;
 }
 
+namespace {
+
+double validShare(const InverseDepthImage& image) {
+  const auto valid = std::count_if(image.w.begin(), image.w.end(), [](float w) { return w > 0.0f; });
+  return static_cast<double>(valid) / static_cast<double>(image.w.size());
+}
+
+/// Pixels are empty in a pattern that the grid falls into: every other row or column, a checkerboard.
+bool gridMissesPixels(const InverseDepthImage& samples, const InverseDepthImage& image) {
+  constexpr double kSparse = 0.35, kMissed = 1.5;
+  const double share = validShare(samples);
+  return share < kSparse && validShare(image) > kMissed * share;
+}
+
+}  // namespace
+
 void InverseDepthPipeline::begin(InverseDepthImage& image) {
   const int longer_side = longerSide(image.width, image.height);
   stride_ = strideFor(longer_side, parameters_.inverse_depth.stride);
+  if (stride_ > 1) samples_.sample(image, stride_, parameters_.threads);
+  if (stride_ > 1 && parameters_.inverse_depth.stride == 0 && gridMissesPixels(samples_, image)) stride_ = 1;
   grid_parameters_ = onGrid(parameters_.inverse_depth, longer_side, stride_);
   grid_sensor_ = onGrid(sensor_, stride_);
   InverseDepthImage& grid = stride_ > 1 ? samples_ : image;
-  if (stride_ > 1) grid.sample(image, stride_, parameters_.threads);
   grid.weigh(sensor_, image.placeVariance(), parameters_.threads);
   full_image_ = &image;
   image_ = &grid;

@@ -11,6 +11,7 @@ namespace epcc {
 
 namespace {
 
+constexpr int kMaxEmptyLines = 3;    // in a row, as in Algorithm 2
 constexpr double kPriorSlope = 2.0;  // standard deviation of a plane's slopes
 
 /// A segment as the comparison with a plane wants it: the line at mean_x +- h and the variances there.
@@ -98,11 +99,14 @@ void PlaneGrowing::begin(double pixel_pitch, bool turning) {
   sample_spread_ = std::pow(correlation_length_ * pixel_pitch, 2);
   previous_count_ = 0;
   previous_begin_ = 0;
+  empty_lines_ = 0;
   plane_of_.clear();
   planes_.clear();
 }
 
 void PlaneGrowing::addLine(const ScanLineRays& rays, const GrownLine* lines, int count) {
+  if (count == 0 && ++empty_lines_ <= kMaxEmptyLines) return;  // a line without a segment does not end a surface
+  empty_lines_ = 0;
   const std::size_t begin = plane_of_.size();
   // Where rows are no scan lines nothing but its second segment can tell a plane's slope across the columns, and to an
   // exact sensor a slanted plane's second column is many sigma away.

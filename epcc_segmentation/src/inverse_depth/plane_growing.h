@@ -77,6 +77,7 @@ class PlaneGrowing {
   double unknown_slope2_ = 0.0;  // what w/mean_w may change by from one column to the next, squared
   const GrownLine* previous_ = nullptr;
   int previous_count_ = 0;
+  int empty_lines_ = 0;
   std::size_t previous_begin_ = 0;  // in plane_of_
   std::vector<int> plane_of_;
   std::vector<GrownPlane> planes_;

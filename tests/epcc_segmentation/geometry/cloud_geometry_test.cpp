@@ -120,6 +120,32 @@ TEST(CameraGeometry, CloudsOfTheUsualFramesAreTakenAsTheyAre) {
   EXPECT_EQ(backward.projection, Projection::PerspectiveBackward);
 }
 
+TEST(CameraGeometry, PointsThatWereNotMeasuredMayLieBehindTheCameraOrInIt) {
+  for (const float factor : {-1.0f, 0.0f}) {  // of z; some drivers write such points where they saw nothing
+    PosedCloud cloud = room();
+    for (std::size_t i = 0; i < cloud.size(); i += 7) {
+      cloud.xyz[3 * i + 2] *= factor;
+      if (factor < 0.0f)
+        for (std::size_t k = 0; k < 2; ++k) cloud.xyz[3 * i + k] *= factor;
+      cloud.truth[i] = 0;
+    }
+    const Found found = segment(cloud);
+    ASSERT_EQ(found.error, "");
+    EXPECT_EQ(found.geometry.projection, Projection::Perspective);
+    expectTruth(cloud, found.result, 3);
+  }
+}
+
+TEST(CameraGeometry, HalvesOfRowsBelowEachOtherAreNoPicture) {
+  PosedCloud cloud =
+      epcc::test::cameraCloud(epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480)));
+  cloud.width /= 2;  // a wrong header
+  cloud.height *= 2;
+  CloudOptions camera;
+  camera.sensor = CloudOptions::Sensor::Camera;
+  EXPECT_EQ(epcc::findGeometry(cloud.xyz.data(), 3, cloud.width, cloud.height, camera).status, Status::UnknownGeometry);
+}
+
 TEST(CameraGeometry, AnyFrame) {
   const std::vector<std::pair<Eigen::Matrix3d, Eigen::Vector3d>> poses = {
       {bodyAxes(), kOrigin},

@@ -144,6 +144,23 @@ TEST(InverseDepthMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksTh
   EXPECT_GT(white.planes.size(), 6u);
 }
 
+TEST(InverseDepthMode, PatternsOfEmptyPixelsThatTheGridFallsIntoHideNothing) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480));
+  epcc::test::addNoise(room, kWhite, 5);
+  for (const int kind : {0, 1, 2}) {  // odd columns, odd rows, half of a checkerboard: the grid has odd ones
+    auto sparse = room;
+    for (int row = 0; row < 480; ++row)
+      for (int column = 0; column < 640; ++column)
+        if (kind == 0 ? column % 2 == 1 : kind == 1 ? row % 2 == 1 : (row + column) % 2 == 0)
+          sparse.depth[static_cast<std::size_t>(row * 640 + column)] = 0.0f;
+    const auto result = extract(sparse.frame());
+    std::size_t pixels = 0;
+    for (const auto& plane : result.planes) pixels += plane.pixel_count;
+    EXPECT_EQ(result.planes.size(), 3u) << kind;
+    EXPECT_GT(pixels, 0.45 * 640 * 480) << kind;
+  }
+}
+
 TEST(InverseDepthMode, SphericalScansTakeTheirColumns) {
   std::vector<float> xyz;
   for (int row = 0; row < 120; ++row)

@@ -114,6 +114,8 @@ TEST_F(NoiseCommand, SaysWhatIsWrong) {
   fails({"--out", path("x")}, 2, "INPUT");
   fails({path("f"), "--out", path("x"), "--fx", "3"}, 2, "come together");
   fails({path("f"), "--out", path("f/c_000")}, 2, "would overwrite an input");
+  render("other", "none", 1);
+  fails({path("f"), "--out", path("other/c_000")}, 2, "is a camera file");
   fails({path("nothing.png"), "--out", path("x")}, 3, "does not exist");
   fails({path("f"), "--out", path("no/folder/x")}, 4, "no/folder/x.json");
   LabelledFrame empty;
