@@ -49,7 +49,8 @@ std::string heading(const SegmentInput& input, const LabelledFrame& frame, const
   const char* word = result.planes.size() == 1 ? "plane" : "planes";
   char text[160];
   if (valid == 0) {
-    std::snprintf(text, sizeof text, ": %dx%d, 0 planes: no pixel is measured\n", frame.depth.width, frame.depth.height);
+    std::snprintf(text, sizeof text, ": %dx%d, 0 planes: no pixel is measured\n", frame.depth.width,
+                  frame.depth.height);
     return input.path + text;
   }
   std::snprintf(text, sizeof text, ": %dx%d, %zu %s on %.1f %% of the measured pixels, noise ", frame.depth.width,

@@ -43,8 +43,9 @@ using SegmentationStatus = Status;
 /// - Points outside setIndices() and points without a finite coordinate or with a depth <= 0 count as
 ///   not measured, whatever is_dense says. Indices may repeat; with no indices in the vector nothing
 ///   is measured and there are no planes.
-/// - Planes come largest first. Coefficients are (a, b, c, d) of a x + b y + c z + d = 0 in metres,
-///   unit normal towards the sensor (d >= 0). Labels are 0..K-1 and kNoPlane; indices are ascending.
+/// - Planes come largest first. Coefficients are (a, b, c, d) of a x + b y + c z + d = 0 in the cloud's frame and unit,
+///   unit normal towards the sensor: where that is at the cloud's origin, d >= 0 is the distance from it. Labels are
+///   0..K-1 and kNoPlane; indices are ascending.
 /// - The object keeps a frame's memory for the next call, whatever is changed in between: it can be moved but not
 ///   copied, and serves one thread at a time.
 /// - The sensor is measured on the clouds unless a model is set; the mode is Mode::InverseDepth unless it is changed.
