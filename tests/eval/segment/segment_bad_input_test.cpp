@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Damaged and absurd inputs: one clear line, exit code 3, and no output file.
+#include <cstdint>
+#include <random>
+
+#include "datasets/files/png_io.h"
 #include "tests/eval/segment/tool_runner.h"
 
 namespace {
@@ -141,6 +145,18 @@ TEST_F(SegmentBadInput, FrameWithoutDepthHasNoPlanes) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find(" 0 planes"), std::string::npos) << result.out;
   EXPECT_TRUE(exists("l.png"));
+}
+
+TEST_F(SegmentBadInput, RandomNumbersAreDoubted) {
+  std::mt19937 generator(3);
+  std::uniform_int_distribution<int> any(1, 60000);
+  epcc::Image<std::uint16_t> image(160, 120);
+  for (auto& value : image.data) value = static_cast<std::uint16_t>(any(generator));
+  epcc::writeGray16(path("random.png"), image);
+  const epcc::test::ToolResult result =
+      run({"random.png", "--fx", "131", "--fy", "131", "--cx", "79.5", "--cy", "59.5"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("is this a depth image"), std::string::npos) << result.err;
 }
 
 }  // namespace
