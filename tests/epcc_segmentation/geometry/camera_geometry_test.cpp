@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Clouds of cameras in every frame, unit and order of pixels: the geometry, the labels, the planes.
+#include "epcc_segmentation/cloud_geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "epcc_segmentation/plane_fit.h"
+#include "epcc_segmentation/sensor_estimation.h"
+#include "tests/epcc_segmentation/geometry/found_geometry.h"
+
+namespace {
+
+using epcc::CloudGeometry;
+using epcc::CloudOptions;
+using epcc::DepthFrame;
+using epcc::Projection;
+using epcc::Status;
+using epcc::test::bodyAxes;
+using epcc::test::expectPlanesOnTheirPoints;
+using epcc::test::expectTruth;
+using epcc::test::Found;
+using epcc::test::geometryOf;
+using epcc::test::kNoTurn;
+using epcc::test::kOrigin;
+using epcc::test::kShift;
+using epcc::test::kTurn;
+using epcc::test::moved;
+using epcc::test::PosedCloud;
+using epcc::test::room;
+using epcc::test::segment;
+
+TEST(CameraGeometry, CloudsOfTheUsualFramesAreTakenAsTheyAre) {
+  const CloudGeometry forward = geometryOf(room());
+  EXPECT_EQ(forward.status, Status::Ok);
+  EXPECT_TRUE(forward.is_plain);
+  EXPECT_EQ(forward.projection, Projection::Perspective);
+  EXPECT_LT(forward.residual, 1e-4);
+  const CloudGeometry backward = geometryOf(moved(room(), Eigen::Vector3d(1, -1, -1).asDiagonal(), kOrigin));
+  EXPECT_TRUE(backward.is_plain);
+  EXPECT_EQ(backward.projection, Projection::PerspectiveBackward);
+}
+
+TEST(CameraGeometry, PointsThatWereNotMeasuredMayLieBehindTheCameraOrInIt) {
+  for (const float factor : {-1.0f, 0.0f}) {  // of z; some drivers write such points where they saw nothing
+    PosedCloud cloud = room();
+    for (std::size_t i = 0; i < cloud.size(); i += 7) {
+      cloud.xyz[3 * i + 2] *= factor;
+      if (factor < 0.0f)
+        for (std::size_t k = 0; k < 2; ++k) cloud.xyz[3 * i + k] *= factor;
+      cloud.truth[i] = 0;
+    }
+    const Found found = segment(cloud);
+    ASSERT_EQ(found.error, "");
+    EXPECT_EQ(found.geometry.projection, Projection::Perspective);
+    expectTruth(cloud, found.result, 3);
+  }
+}
+
+TEST(CameraGeometry, HalvesOfRowsBelowEachOtherAreNoPicture) {
+  PosedCloud cloud =
+      epcc::test::cameraCloud(epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480)));
+  cloud.width /= 2;  // a wrong header
+  cloud.height *= 2;
+  CloudOptions camera;
+  camera.sensor = CloudOptions::Sensor::Camera;
+  EXPECT_EQ(epcc::findGeometry(cloud.xyz.data(), 3, cloud.width, cloud.height, camera).status, Status::UnknownGeometry);
+}
+
+TEST(CameraGeometry, AnyFrame) {
+  const std::vector<std::pair<Eigen::Matrix3d, Eigen::Vector3d>> poses = {
+      {bodyAxes(), kOrigin},
+      {bodyAxes(), Eigen::Vector3d(0.1, 0.0, 1.2)},
+      {kTurn, kOrigin},
+      {kTurn, kShift},
+      {Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix(), Eigen::Vector3d(40, -70, 3)}};
+  for (const auto& [axes, origin] : poses) {
+    SCOPED_TRACE(testing::Message() << axes << "\n" << origin.transpose());
+    const PosedCloud cloud = moved(room(), axes, origin);
+    const Found found = segment(cloud);
+    ASSERT_EQ(found.error, "");
+    EXPECT_FALSE(found.geometry.is_plain);
+    EXPECT_EQ(found.geometry.projection, Projection::Perspective);
+    EXPECT_LT((found.geometry.pose.origin - origin).norm(), 0.02);
+    EXPECT_LT((found.geometry.pose.axes - axes).norm(), 0.01);
+    expectTruth(cloud, found.result, 3);
+    expectPlanesOnTheirPoints(cloud, found, 1.0, origin);
+  }
+}
+
+TEST(CameraGeometry, LabelsAreThoseOfThePlainCloud) {
+  const Found plain = segment(room());
+  for (const double unit : {1.0, 1000.0, 100.0}) {
+    CloudOptions options;
+    options.unit = 1.0 / unit;
+    const Found turned = segment(moved(room(), kTurn, kShift, unit), options);
+    ASSERT_EQ(turned.error, "");
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < plain.result.labels.size(); ++i)
+      same += plain.result.labels[i] == turned.result.labels[i] ? 1 : 0;
+    EXPECT_GE(same, plain.result.labels.size() * 99 / 100) << unit;
+    const Eigen::Vector3d normal = kTurn * plain.result.planes[0].coefficients.head<3>();
+    EXPECT_LT((normal - turned.result.planes[0].coefficients.head<3>()).norm(), 1e-3);
+  }
+}
+
+TEST(CameraGeometry, RowsAndColumnsMayBeExchangedOrReversed) {
+  const PosedCloud plain = room();
+  const int width = plain.width, height = plain.height;
+  const PosedCloud exchanged = epcc::test::rowsAndColumnsExchanged(plain);
+  const PosedCloud upside_down = epcc::test::reordered(plain, width, height, [&](int row, int column) {
+    return static_cast<std::size_t>((height - 1 - row) * width + width - 1 - column);
+  });
+  for (const PosedCloud& order : {exchanged, upside_down})
+    for (const bool is_turned : {false, true}) {
+      const PosedCloud cloud = is_turned ? moved(order, kTurn, kShift) : order;
+      const Found found = segment(cloud);
+      ASSERT_EQ(found.error, "");
+      expectTruth(cloud, found.result, 3);
+      expectPlanesOnTheirPoints(cloud, found, 1.0, is_turned ? kShift : kOrigin);
+    }
+}
+
+TEST(CameraGeometry, MillimetresAreSeenAndSaid) {
+  const PosedCloud cloud = moved(room(), kNoTurn, kOrigin, 1000.0);
+  const Found guessed = segment(cloud);
+  EXPECT_TRUE(guessed.geometry.unit_is_guessed);
+  EXPECT_EQ(guessed.geometry.unit, 0.001);
+  expectTruth(cloud, guessed.result, 3);
+  expectPlanesOnTheirPoints(cloud, guessed, 0.001, kOrigin);
+  CloudOptions known;
+  known.unit = 0.001;
+  EXPECT_FALSE(geometryOf(cloud, known).unit_is_guessed);
+  EXPECT_EQ(segment(cloud, known).result.labels, guessed.result.labels);
+  EXPECT_FALSE(geometryOf(room()).unit_is_guessed);
+  EXPECT_FALSE(geometryOf(moved(room(), kNoTurn, Eigen::Vector3d(5000, 0, 0))).unit_is_guessed);  // a map's frame
+}
+
+TEST(CameraGeometry, PointsThatManyPixelsShareAreNone) {
+  for (const bool is_turned : {false, true})
+    for (const Eigen::Vector3f& marker : {Eigen::Vector3f(-1, -1, -1), Eigen::Vector3f(0.5f, 0.5f, 5.0f)}) {
+      const PosedCloud plain = is_turned ? moved(room(), kTurn, kShift) : room();
+      PosedCloud cloud = plain;
+      for (std::size_t i = 0; i < cloud.size(); ++i)
+        if (i % 7 == 0) {
+          Eigen::Map<Eigen::Vector3f>(&cloud.xyz[3 * i]) = marker;
+          cloud.truth[i] = 0;
+        }
+      const Found found = segment(cloud);
+      ASSERT_EQ(found.error, "") << marker.transpose();
+      expectTruth(cloud, found.result, 3);
+      for (std::size_t i = 0; i < cloud.size(); i += 7) ASSERT_EQ(found.result.labels[i], 0);
+      EXPECT_EQ(found.geometry.is_plain, !is_turned && marker.z() < 0.0f);
+    }
+}
+
+TEST(CameraGeometry, ANamedValueIsNoPointHoweverRare) {
+  PosedCloud cloud = room();
+  for (int k = 0; k < 3; ++k) cloud.xyz[static_cast<std::size_t>(3 * 5000 + k)] = 9.0f;
+  CloudOptions options;
+  options.invalid = 9.0f;
+  const CloudGeometry geometry = geometryOf(cloud, options);
+  const auto frame = DepthFrame::fromPoints(cloud.xyz.data(), 3, cloud.width, cloud.height, geometry);
+  Eigen::Vector3d p;
+  EXPECT_FALSE(frame.point(5000 / cloud.width, 5000 % cloud.width, p));
+  EXPECT_TRUE(frame.point(5001 / cloud.width, 5001 % cloud.width, p));
+}
+
+TEST(CameraGeometry, DepthsOutOfRangeAreInvalid) {
+  const PosedCloud plain = room();
+  const PosedCloud cloud = moved(plain, bodyAxes(), kShift);
+  CloudOptions options;
+  options.min_depth = 1.5;
+  options.max_depth = 2.0;
+  const Found found = segment(cloud, options);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const float z = plain.xyz[3 * i + 2];
+    if (z >= 1.49f && z <= 2.01f) continue;
+    ASSERT_EQ(found.result.labels[i], 0) << z;
+  }
+  EXPECT_GE(found.result.planes.size(), 1u);
+}
+
+TEST(CameraGeometry, APlaneAloneHasItsPlane) {
+  const auto wall =
+      epcc::test::renderRoom({Eigen::Vector4d(0.1, 0.05, -0.99, 2.5).normalized() * 1.0}, epcc::test::testCamera());
+  for (const Eigen::Vector3d& origin : {kOrigin, kShift}) {
+    const PosedCloud cloud = moved(epcc::test::cameraCloud(wall), kTurn, origin);
+    const Found found = segment(cloud);
+    ASSERT_EQ(found.error, "");
+    expectTruth(cloud, found.result, 1);
+    expectPlanesOnTheirPoints(cloud, found, 1.0, origin);
+  }
+}
+
+}  // namespace
