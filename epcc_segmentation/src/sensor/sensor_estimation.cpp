@@ -31,6 +31,9 @@ constexpr double kLengthFactor = 1.9;
 constexpr double kLengthPower = 0.8;
 constexpr double kLeastLength = 1.5;  // pixels of an image of 640 x 480
 constexpr double kFacesOfImage = 69.0;
+// A scanner measures each pixel by itself. Where its residuals agree farther than that, it is the offset of a ring, or
+// the scene: streets and facades are never flat.
+constexpr double kLengthOfScans = 1.0;
 
 /// Standard deviation of an even distribution over an interval of this width.
 double evenDeviation(double width) {
@@ -41,16 +44,19 @@ double largestLength(double width, double height) {
   return std::sqrt(width * height) / kFacesOfImage;
 }
 
-double lengthOfModel(double effective_length, double width, double height) {
+double lengthOfModel(double effective_length, const InverseDepthImage& image) {
+  if (!image.planar_rows) return kLengthOfScans;
+  const double width = image.width, height = image.height;
   const double least = kLeastLength * std::sqrt(width * height / (640.0 * 480.0));
   const double length = std::max(least, kLengthFactor * std::pow(effective_length, kLengthPower));
   return std::min(length, largestLength(width, height));
 }
 
 /// Where nothing was measured.
-SensorEstimate genericEstimate(double width, double height) {
+SensorEstimate genericEstimate(const InverseDepthImage& image) {
   SensorEstimate estimate;
-  estimate.correlation_length = std::min(6.0, largestLength(width, height));
+  estimate.correlation_length =
+      image.planar_rows ? std::min(6.0, largestLength(image.width, image.height)) : kLengthOfScans;
   return estimate;
 }
 
@@ -88,7 +94,7 @@ void ImageEstimation::measure(const InverseDepthImage& image, const Turn& turn) 
 }
 
 SensorEstimate ImageEstimation::share(const InverseDepthImage& image, const Turn& turn) {
-  if (image.width <= 0 || image.height <= 0) return genericEstimate(0.0, 0.0);
+  if (image.width <= 0 || image.height <= 0) return genericEstimate(image);
   const int first = blockSize(image.width, image.height);
   SensorEstimate result;
   for (const int size : {first, otherSize(first)}) {
@@ -101,7 +107,7 @@ SensorEstimate ImageEstimation::share(const InverseDepthImage& image, const Turn
 }
 
 SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
-  SensorEstimate result = genericEstimate(image.width, image.height);
+  SensorEstimate result = genericEstimate(image);
   bins_.sort(blocks_.flat());
   if (bins_.empty()) return result;
   const BlotchTable& table = blotchTable(blocks_.blockSize());
@@ -119,10 +125,10 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     result.blotch_length = blotches_.length;
     result.blotch_share = blotches_.share;
     result.effective_length = effective_length;
-    result.correlation_length = lengthOfModel(effective_length, image.width, image.height);
+    result.correlation_length = lengthOfModel(effective_length, image);
     findTargets(blotchy,
                 kPlaceOfBlotch * std::sqrt(blotchy) * result.correlation_length * std::sqrt(image.placeVariance()));
-    if (targets_.empty()) return genericEstimate(image.width, image.height);
+    if (targets_.empty()) return genericEstimate(image);
     const SigmaFit fit = fitter_.fit(targets_);
     result.a = fit.a;
     result.b = fit.b;
