@@ -14,6 +14,17 @@ namespace {
 
 constexpr double kMaxSlopeFactor = 26.0;  // slopeFactor() is clipped
 constexpr double kGrowth = 1.1;           // of a region's pixels, until all its contacts are judged again
+constexpr double kBendingReach = 20.0;  // grid pixels, 320 to the longer side: how far the bending of depth is the same
+constexpr double kPi = 3.14159265358979323846;
+
+/// What the slow bending of a sensor adds to the squared offset of two regions, in squared region tolerances. It is the
+/// same on both sides of a border and differs farther apart, so that deep regions lie off each other by more than
+/// narrow ones; and where the error of one pixel tells nothing of the next there is none.
+double bendingOf(double depth_of_region, double pixels_per_sample) {
+  const double reach = depth_of_region / kBendingReach;
+  const double memory = 1.0 - std::min(1.0, 2.0 * kPi / pixels_per_sample);
+  return memory * (1.0 - std::exp(-0.5 * reach * reach));
+}
 
 }  // namespace
 
@@ -146,7 +157,7 @@ double RegionMerger::tolerance(const Node& a, const Node& b, int places, double 
   // Two planes that compete for the same pixels all along (a ragged border) differ by the error, not by the scene;
   // unless there is a step, which the error frays too.
   const double smaller = std::min(a.sums.n, b.sums.n);
-  double offset = region_tolerance_;
+  double offset = region_tolerance_ * std::sqrt(1.0 + bendingOf(smaller / places, pixels_per_sample_));
   if (step2 < parameters_.max_ragged_step * parameters_.max_ragged_step) {
     const double raggedness = places / (4.0 * std::sqrt(smaller));
     offset *= std::clamp(raggedness / parameters_.ragged_border, 1.0, parameters_.max_ragged_gain);

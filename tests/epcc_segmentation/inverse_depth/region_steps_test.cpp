@@ -51,6 +51,27 @@ TEST(RegionMerging, PiecesOfOneWallBecomeOne) {
   for (const auto label : map.labels) ASSERT_EQ(label, 1);
 }
 
+/// Whether a strip of so many columns becomes one with the wall beside it, from which it is 2.4 sigma off.
+bool joinsTheWall(int strip, const SensorModel& sensor) {
+  auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera(640, 480));
+  std::vector<std::int32_t> labels;
+  for (std::size_t i = 0; i < room.depth.size(); ++i) {
+    const bool in_strip = static_cast<int>(i % 640) < strip;
+    room.depth[i] = in_strip ? 2.0f + 2.4f * static_cast<float>(sensor.sigmaZ(2.0)) : 2.0f;
+    labels.push_back(in_strip ? 1 : 2);
+  }
+  const auto image = imageOf(room, sensor);
+  auto map = regionsOf(image, labels, 2);
+  merge(image, sensor, map);
+  return map.regions[1].n == 0.0;
+}
+
+TEST(RegionMerging, DeepRegionsMayLieFartherApartForSensorsBend) {
+  EXPECT_TRUE(joinsTheWall(100, SensorModel::axial(0.002, 0.0, 2.0)));
+  EXPECT_FALSE(joinsTheWall(12, SensorModel::axial(0.002, 0.0, 2.0)));   // a step in stairs
+  EXPECT_FALSE(joinsTheWall(100, SensorModel::axial(0.002, 0.0, 1.0)));  // grain does not bend
+}
+
 TEST(RegionMerging, AWallOfThousandsOfSpecksBecomesOne) {
   auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera(640, 480));
   epcc::test::addNoise(room, kWhite, 3);
