@@ -25,10 +25,10 @@ constexpr double kSigmaOverSteps = 2.6;
 constexpr double kPlaceOfBlotch = 1.2;
 constexpr double kMaxBinWeight = 20.0;
 
-// The length that the model is given grows more slowly than that of the error, and the image must hold about 69 faces
-// of minimal evidence.
-constexpr double kLengthFactor = 1.9;
-constexpr double kLengthPower = 0.8;
+// The length that the model is given is in proportion to that of the error, beside that of grain, and the image must
+// hold about 69 faces of minimal evidence.
+constexpr double kLengthFactor = 1.5;
+constexpr double kLengthOfGrain = 0.4;
 constexpr double kLeastLength = 1.5;  // pixels of an image of 640 x 480
 constexpr double kFacesOfImage = 69.0;
 // A scanner measures each pixel by itself. Where its residuals agree farther than that, it is the offset of a ring, or
@@ -48,7 +48,7 @@ double lengthOfModel(double effective_length, const InverseDepthImage& image) {
   if (!image.planar_rows) return kLengthOfScans;
   const double width = image.width, height = image.height;
   const double least = kLeastLength * std::sqrt(width * height / (640.0 * 480.0));
-  const double length = std::max(least, kLengthFactor * std::pow(effective_length, kLengthPower));
+  const double length = std::max(least, kLengthFactor * effective_length + kLengthOfGrain);
   return std::min(length, largestLength(width, height));
 }
 

@@ -40,8 +40,7 @@ TEST(SensorEstimation, TheLengthOfBlotchesIsFound) {
     const auto estimate = epcc::estimateSensor(frame.frame());
     EXPECT_NEAR(estimate.effective_length / length, 1.0, length > 4.0 ? 0.1 : 0.05) << length;
     EXPECT_GT(estimate.blotch_share, 0.9) << length;
-    EXPECT_NEAR(estimate.correlation_length, std::min(1.9 * std::pow(estimate.effective_length, 0.8), 554.3 / 69.0),
-                0.01)
+    EXPECT_NEAR(estimate.correlation_length, std::min(1.5 * estimate.effective_length + 0.4, 554.3 / 69.0), 0.01)
         << length;
   }
 }
