@@ -2,73 +2,29 @@
 // Chooses between hypotheses: simple ones first, and a search only where none of them explains the points.
 #include "epcc_segmentation/cloud_geometry.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "geometry/point_lattice.h"
-#include "geometry/ray_tables.h"
-#include "geometry/resectioning.h"
+#include "geometry/hypothesis_search.h"
 #include "geometry/scan_grid.h"
-#include "geometry/scanner_pose.h"
 
 namespace epcc {
 
 namespace {
 
-// Rows and columns of the lattice: a few hundred points tell a camera, and scanners, whose rings may each be ahead of
-// the others, are looked at ring by ring.
-constexpr int kFewLines = 32;
+// Scanners, whose rings may each be ahead of the others, are looked at ring by ring.
 constexpr int kManyLines = 128;
 constexpr int kMostLines = 256;  // where points are few
 constexpr std::size_t kEnoughPoints = 200;
-constexpr std::size_t kFewestPoints = 32;
-constexpr std::size_t kFewestLines = 4;
-
-// Residuals, in deviations of all rays: 0.01 is 0.3 % of the image's side. A simple pose that is as good as this needs
-// no search, and one that is half as good as the best found is taken before it. With more than the last there are no
-// rays: wide lenses that were not rectified and scans sorted into bins of angle have half of it, what is no scan three
-// times as much.
-constexpr double kClear = 0.003;
-constexpr double kAsGood = 2.0;
-constexpr double kMaxResidual = 0.12;
 constexpr double kAsBefore = 1.3;  // residual of the pose of the last cloud
 constexpr double kSlack = 3e-4;
-// The place of a scanner, in sizes of the cloud from its middle: from farther its rays are parallel.
-constexpr double kFarthestScanner = 30.0;
 
 // No camera's picture lies farther away than this in the middle, metres, and no scanner's: then the unit is the
 // millimetre.
 constexpr double kFarCamera = 100.0;
 constexpr double kFarScanner = 1000.0;
 constexpr double kMillimetre = 0.001;
-
-struct Choice {
-  PoseHypothesis pose;
-  double residual = kNoRays;
-  bool is_plain = false;  // a frame that DepthFrame knows
-  Projection projection = Projection::Perspective;
-};
-
-Choice plainChoice(Projection projection) {
-  Choice choice;
-  choice.is_plain = true;
-  choice.projection = projection;
-  choice.pose.is_scanner = projection == Projection::Spherical;
-  if (projection == Projection::PerspectiveBackward) choice.pose.axes = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
-  return choice;
-}
-
-/// A reflection of the cloud's axes onto the sensor's, forward or up being one of the cloud's.
-Eigen::Matrix3d permutation(int third, bool negative, bool swapped) {
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
-  const int next = (third + 1) % 3, last = (third + 2) % 3;
-  axes(swapped ? last : next, 0) = 1.0;
-  axes(swapped ? next : last, 1) = 1.0;
-  axes(third, 2) = negative ? -1.0 : 1.0;
-  return axes;
-}
 
 }  // namespace
 
@@ -80,43 +36,19 @@ std::string CloudOptions::validate() const {
   return {};
 }
 
-struct GeometryFinder::Memory {
-  PointLattice lattice;
-  RayTables tables;
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // of the lattice's points
-  double size = 0.0;                                 // their mean distance from it
+struct GeometryFinder::Memory : HypothesisSearch {
   std::vector<double> distances;
-  std::vector<Vector3f> other_markers;
   std::optional<Choice> last;
   CloudGeometry geometry;
 
   void choose(const CloudView& cloud, const CloudOptions& options);
 
  private:
-  void consider(Choice choice, const CloudOptions& options, Choice& best);
-  void considerAxes(const SensorPose& from, const CloudOptions& options, Choice& best);
-  void considerSearch(const CloudOptions& options, Choice& best);
-  void considerScanners(const CloudOptions& options, Choice& best);
-  /// There are enough points, rows and columns to tell a camera from a scanner.
-  bool tellsGeometry() const {
-    return lattice.points().size() >= kFewestPoints && lattice.rows().size() >= kFewestLines &&
-           lattice.columns().size() >= kFewestLines;
-  }
   bool isAsBefore(const CloudOptions& options);
   void orient(Choice& choice) const;
   void describe(const CloudView& cloud, const CloudOptions& options, const Choice& best);
-  void measureSize();
   double medianDistance(const PoseHypothesis& pose);
 };
-
-void GeometryFinder::Memory::consider(Choice choice, const CloudOptions& options, Choice& best) {
-  if (options.sensor != CloudOptions::Sensor::Any &&
-      (options.sensor == CloudOptions::Sensor::Scanner) != choice.pose.is_scanner)
-    return;
-  if (choice.pose.is_scanner && (choice.pose.origin - middle).norm() > kFarthestScanner * size) return;
-  choice.residual = tables.residual(lattice, choice.pose);
-  if (kAsGood * choice.residual < best.residual) best = choice;
-}
 
 /// What was found in the last cloud explains this one as well.
 bool GeometryFinder::Memory::isAsBefore(const CloudOptions& options) {
@@ -125,54 +57,6 @@ bool GeometryFinder::Memory::isAsBefore(const CloudOptions& options) {
   if (!(best.residual <= kAsBefore * last->residual + kSlack)) return false;
   last->residual = best.residual;
   return true;
-}
-
-/// The axes of a frame in any order.
-void GeometryFinder::Memory::considerAxes(const SensorPose& from, const CloudOptions& options, Choice& best) {
-  for (int third = 0; third < 3; ++third)
-    for (const bool other : {false, true}) {
-      Choice choice;
-      choice.pose.origin = from.origin;
-      choice.pose.is_scanner = true;
-      choice.pose.axes = from.axes * axesAbout(Eigen::Vector3d::Unit(third));
-      choice.pose.rings_are_columns = other;
-      consider(choice, options, best);
-      choice.pose.is_scanner = choice.pose.rings_are_columns = false;
-      for (const bool swapped : {false, true}) {
-        choice.pose.axes = from.axes * permutation(third, other, swapped);
-        consider(choice, options, best);
-      }
-    }
-}
-
-void GeometryFinder::Memory::considerSearch(const CloudOptions& options, Choice& best) {
-  for (const bool at_origin : {true, false}) {
-    const auto pose = at_origin ? cameraAtOrigin(lattice) : cameraAnywhere(lattice);
-    Choice choice;
-    if (!pose) continue;
-    choice.pose = *pose;
-    consider(choice, options, best);
-  }
-  if (options.sensor != CloudOptions::Sensor::Camera && best.residual > kClear) considerScanners(options, best);
-}
-
-void GeometryFinder::Memory::considerScanners(const CloudOptions& options, Choice& best) {
-  for (const bool rings_are_columns : {false, true}) {
-    std::array<PoseHypothesis, 3> starts{scannerAt(lattice, Eigen::Vector3d::Zero(), rings_are_columns),
-                                         scannerFromColumns(lattice, rings_are_columns), PoseHypothesis()};
-    if (options.viewpoint) starts[2] = scannerAt(lattice, options.viewpoint->origin, rings_are_columns);
-    for (const PoseHypothesis& start : starts) {
-      if (!start.is_scanner) continue;
-      Choice choice;
-      choice.pose = start;
-      choice.residual = tables.residual(lattice, choice.pose);
-      consider(choice, options, best);
-      if (best.residual <= kClear) return;
-      refineScanner(lattice, choice.pose);
-      consider(choice, options, best);
-      if (best.residual <= kClear) return;
-    }
-  }
 }
 
 /// Across grows with the column and along with the row: the picture's right and down.
@@ -199,14 +83,6 @@ void GeometryFinder::Memory::orient(Choice& choice) const {
   if (along < 0.0) choice.pose.axes.col(1) *= -1.0;
 }
 
-void GeometryFinder::Memory::measureSize() {
-  const auto n = static_cast<double>(lattice.points().size());
-  middle.setZero();
-  for (const PointLattice::Point& point : lattice.points()) middle += point.p / n;
-  size = 0.0;
-  for (const PointLattice::Point& point : lattice.points()) size += (point.p - middle).norm() / n;
-}
-
 double GeometryFinder::Memory::medianDistance(const PoseHypothesis& pose) {
   distances.clear();
   for (const PointLattice::Point& point : lattice.points()) distances.push_back((point.p - pose.origin).norm());
@@ -228,13 +104,15 @@ void GeometryFinder::Memory::choose(const CloudView& cloud, const CloudOptions& 
   measureSize();
   for (const Projection projection : {Projection::Perspective, Projection::PerspectiveBackward, Projection::Spherical})
     consider(plainChoice(projection), options, best);
-  if (best.residual > kClear && last && isAsBefore(options)) {
+  if (best.residual > kClearResidual && last && isAsBefore(options)) {
     describe(cloud, options, *last);
     return;
   }
-  if (best.residual > kClear) considerAxes(SensorPose(), options, best);
-  if (best.residual > kClear && options.viewpoint) considerAxes(*options.viewpoint, options, best);
-  if (best.residual > kClear) considerSearch(options, best);
+  if (best.residual > kClearResidual) considerAxes(SensorPose(), options, best);
+  if (best.residual > kClearResidual && options.viewpoint) considerAxes(*options.viewpoint, options, best);
+  if (best.residual > kClearResidual) considerSearch(options, best);
+  if (best.residual <= kMaxResidual && best.pose.is_scanner && repeatsRings(cloud, options, best.pose))
+    best.residual = kNoRays;
   orient(best);
   last.reset();
   if (best.residual <= kMaxResidual) last = best;
@@ -253,7 +131,8 @@ void GeometryFinder::Memory::describe(const CloudView& cloud, const CloudOptions
   const bool has_points = tellsGeometry();
   if (has_points && !options.projection && !(best.residual <= kMaxResidual)) {
     geometry.status = Status::UnknownGeometry;
-    geometry.problem = "no camera and no scanner sees these points in the order of the cloud's rows and columns";
+    geometry.problem = "no camera and no scanner sees these points in the order of the cloud's rows and columns" +
+                       wrongSize(cloud, options);
     return;
   }
   const double far = best.pose.is_scanner ? kFarScanner : kFarCamera;

@@ -16,15 +16,20 @@ namespace {
 constexpr std::size_t kMinRepeats = 3;
 constexpr double kMinRepeatedShare = 0.002;
 constexpr std::size_t kMaxMarkers = 4;
+constexpr double kGoldenRatio = 0.6180339887498949;  // its multiples fill the range evenly
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
+/// One place in each of `most` equal parts, at another height of each: where a header is wrong, rows that are halves or
+/// thirds of others would look right in every second or third.
 void spread(int count, int most, std::vector<int>& places) {
   const int n = std::min(count, most);
   places.resize(static_cast<std::size_t>(n));
-  // Odd and even ones: pictures whose every other row is another's left or right half look right in every second.
-  const int other = count >= 4 * n ? 1 : 0;
-  for (int i = 0; i < n; ++i)
-    places[static_cast<std::size_t>(i)] = static_cast<int>((2L * i + 1) * count / (2L * n)) - (i & other);
+  for (int i = 0; i < n; ++i) {
+    const long first = static_cast<long>(i) * count / n, next = (i + 1L) * count / n;
+    const double height = std::fmod((i + 1) * kGoldenRatio, 1.0);
+    places[static_cast<std::size_t>(i)] =
+        static_cast<int>(first + static_cast<long>(height * static_cast<double>(next - first)));
+  }
 }
 
 std::size_t hashOf(const Eigen::Vector3d& p) {

@@ -11,6 +11,14 @@ namespace {
 
 constexpr double kFewestInFront = 0.6;  // of the points of a camera; what is behind it was not measured
 constexpr double kQuantile = 0.8;
+// Of a coordinate with the places of the columns or rows: 1 of a pinhole camera and of a scanner, 0.9 of the widest
+// lens that passes for a camera, 1/2 of two rows that stand beside each other as one.
+constexpr double kLeastCorrelation = 0.75;
+// What rings are ahead of each other, in parts of the columns' range: 0.3 of real scanners, 1 where every second row is
+// the other half of the one above.
+constexpr double kMostAhead = 0.7;
+constexpr double kMostTurn = 2.5 * M_PI;  // of the columns of one cloud
+constexpr double kRepeated = 0.15;        // of the mean step from ring to ring
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 double middle(std::vector<double>& values) {
@@ -24,6 +32,22 @@ double wrapped(double angle) {
 }
 
 }  // namespace
+
+bool goesOn(const std::vector<double>& values) {
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) continue;
+    const double at = static_cast<double>(i), value = values[i];
+    n += 1.0;
+    x += at;
+    y += value;
+    xx += at * at;
+    yy += value * value;
+    xy += at * value;
+  }
+  const double of_places = n * xx - x * x, of_values = n * yy - y * y, of_both = n * xy - x * y;
+  return of_both * of_both >= kLeastCorrelation * kLeastCorrelation * of_places * of_values;
+}
 
 void RayTables::MeanAngle::add(double angle) {
   x += std::cos(angle);
@@ -44,6 +68,20 @@ double RayTables::quantile() {
       residuals_.begin() + static_cast<std::ptrdiff_t>(kQuantile * static_cast<double>(residuals_.size() - 1));
   std::nth_element(residuals_.begin(), at, residuals_.end());
   return *at;
+}
+
+bool RayTables::repeatsRings() {
+  group_.clear();
+  for (const double elevation : ring_elevation_)
+    if (!std::isnan(elevation)) group_.push_back(elevation);
+  if (group_.size() < 3) return false;
+  std::sort(group_.begin(), group_.end());
+  residuals_.clear();  // to the nearest
+  for (std::size_t i = 0; i < group_.size(); ++i)
+    residuals_.push_back(
+        std::min(i > 0 ? group_[i] - group_[i - 1] : M_PI, i + 1 < group_.size() ? group_[i + 1] - group_[i] : M_PI));
+  const double step = (group_.back() - group_.front()) / static_cast<double>(group_.size() - 1);
+  return middle(residuals_) < kRepeated * step;
 }
 
 /// Brings values group by group: each to its place, as many as come before.
@@ -90,8 +128,10 @@ double RayTables::cameraResidual(const PointLattice& lattice, const PoseHypothes
     return kNoRays;
   const double of_rows = tableResidual(along_, lattice.rows().size());
   if (!(of_rows < 0.5)) return of_rows;
+  if (!goesOn(table_)) return kNoRays;
   sortByGroup(across_, lattice.columns().size());
-  return std::max(of_rows, tableResidual(across_, lattice.columns().size()));
+  const double of_columns = tableResidual(across_, lattice.columns().size());
+  return goesOn(table_) ? std::max(of_rows, of_columns) : kNoRays;
 }
 
 double RayTables::scannerResidual(const PointLattice& lattice, const PoseHypothesis& pose) {
@@ -137,7 +177,13 @@ double RayTables::azimuthResidual(std::size_t columns, std::size_t rings) {
   for (const Value& v : across_)
     residuals_.push_back(std::abs(wrapped(v.value - column_azimuth_[static_cast<std::size_t>(v.group)] -
                                           ring_azimuth_[static_cast<std::size_t>(v.other)])));
-  // The columns' azimuths go on from one to the next by less than half a turn.
+  const double span = std::abs(unwrapColumns());
+  const double deviation = span / std::sqrt(12.0);
+  return deviation > 0.0 && columnsGoOn(span) ? quantile() / deviation : kNoRays;
+}
+
+/// The columns' azimuths go on from one to the next by less than half a turn. Returns how far.
+double RayTables::unwrapColumns() {
   double before = kNan, span = 0.0;
   for (double& azimuth : column_azimuth_) {
     if (std::isnan(azimuth)) continue;
@@ -148,8 +194,16 @@ double RayTables::azimuthResidual(std::size_t columns, std::size_t rings) {
     }
     before = azimuth;
   }
-  const double deviation = std::abs(span) / std::sqrt(12.0);
-  return deviation > 0.0 ? quantile() / deviation : kNoRays;
+  return span;
+}
+
+bool RayTables::columnsGoOn(double span) const {
+  double least = kNan, most = kNan;
+  for (const double ahead : ring_azimuth_) {
+    least = std::fmin(least, ahead);
+    most = std::fmax(most, ahead);
+  }
+  return span <= kMostTurn && !(most - least > kMostAhead * span) && goesOn(column_azimuth_);
 }
 
 }  // namespace epcc

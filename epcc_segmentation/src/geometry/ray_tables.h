@@ -22,12 +22,15 @@ struct PoseHypothesis {
 /// No pose at all.
 constexpr double kNoRays = std::numeric_limits<double>::infinity();
 
+/// Values grow, or fall, with their places; NaN counts for nothing. Else the rows of a picture were cut or joined.
+bool goesOn(const std::vector<double>& values);
+
 /// Measures hypotheses on a lattice of points. Keeps its memory.
 class RayTables {
  public:
   /// The 80 % quantile of what the points are off the coordinate of their column or row, in deviations of the
   /// coordinate over the cloud; the worse of both. A few points may be anything. Infinite if points lie behind a camera
-  /// or the tables do not go on.
+  /// or the tables do not go on from column to column and row to row, as where the cloud's width is wrong.
   double residual(const PointLattice& lattice, const PoseHypothesis& pose);
 
   /// Of the scanner that was measured last: azimuth of each column of the lattice, as it goes on, and what a ring is
@@ -35,6 +38,8 @@ class RayTables {
   const std::vector<double>& columnAzimuth() const { return column_azimuth_; }
   const std::vector<double>& ringAzimuth() const { return ring_azimuth_; }
   const std::vector<double>& ringElevation() const { return ring_elevation_; }
+  /// Most of its rings have a twin at their elevation, which those of no scanner have.
+  bool repeatsRings();
 
  private:
   /// A sum of unit vectors, whose direction is the mean of angles.
@@ -53,6 +58,8 @@ class RayTables {
   double tableResidual(std::vector<Value>& values, std::size_t groups);
   double azimuthResidual(std::size_t columns, std::size_t rings);
   void meanAzimuths(bool of_rings, std::vector<double>& table);
+  double unwrapColumns();
+  bool columnsGoOn(double span) const;
   double quantile();
 
   std::vector<Value> across_, along_, sorted_;

@@ -60,14 +60,38 @@ TEST(CameraGeometry, PointsThatWereNotMeasuredMayLieBehindTheCameraOrInIt) {
   }
 }
 
-TEST(CameraGeometry, HalvesOfRowsBelowEachOtherAreNoPicture) {
-  PosedCloud cloud =
-      epcc::test::cameraCloud(epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480)));
-  cloud.width /= 2;  // a wrong header
-  cloud.height *= 2;
-  CloudOptions camera;
-  camera.sensor = CloudOptions::Sensor::Camera;
-  EXPECT_EQ(epcc::findGeometry(cloud.xyz.data(), 3, cloud.width, cloud.height, camera).status, Status::UnknownGeometry);
+/// The same points with another width and height in the header.
+PosedCloud withSize(PosedCloud cloud, int width, int height) {
+  cloud.width = width;
+  cloud.height = height;
+  return cloud;
+}
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+TEST(CameraGeometry, RowsCutOrJoinedAreNoPictureAndTheRightSizeIsNamed) {
+  for (const int width : {640, 96}) {
+    const int height = width * 3 / 4;
+    const auto planes = epcc::test::cornerPlanes();
+    const PosedCloud plain =
+        epcc::test::cameraCloud(epcc::test::renderRoom(planes, epcc::test::testCamera(width, height)));
+    for (const PosedCloud& cloud : {plain, moved(plain, kTurn, kShift)}) {
+      ASSERT_EQ(geometryOf(cloud).status, Status::Ok);
+      for (const int k : {2, 3, 4}) {
+        if (width % k != 0 || height % k != 0) continue;
+        const CloudGeometry cut = geometryOf(withSize(cloud, width / k, height * k));
+        EXPECT_EQ(cut.status, Status::UnknownGeometry) << width << " / " << k << ": " << cut.residual;
+        EXPECT_NE(cut.problem.find("as " + sizeText(width, height) + " they would be a camera's"), std::string::npos)
+            << width << " / " << k << ": " << cut.problem;
+        const CloudGeometry joined = geometryOf(withSize(cloud, width * k, height / k));
+        EXPECT_EQ(joined.status, Status::UnknownGeometry) << width << " * " << k << ": " << joined.residual;
+        EXPECT_NE(joined.problem.find("as " + sizeText(width, height)), std::string::npos) << joined.problem;
+      }
+      EXPECT_EQ(geometryOf(withSize(cloud, height, width)).status, Status::UnknownGeometry) << width;
+    }
+  }
 }
 
 TEST(CameraGeometry, AnyFrame) {

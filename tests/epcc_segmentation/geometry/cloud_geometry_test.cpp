@@ -97,6 +97,31 @@ TEST(ScannerGeometry, ShiftedRingsOfLessThanATurnLoseNothing) {
   expectTruth(cloud, found.result, 2);
 }
 
+TEST(ScannerGeometry, RowsCutOrJoinedAreNoScan) {
+  for (const double turn : {2.0 * M_PI, 1.8}) {
+    const PosedCloud plain = epcc::test::scannerCloud(360, 32, 0.3, turn);
+    for (const PosedCloud& scan : {plain, epcc::test::rowsAndColumnsExchanged(plain), moved(plain, kTurn, kShift)})
+      for (const int k : {2, 4}) {
+        PosedCloud cut = scan, joined = scan;
+        cut.width /= k;
+        cut.height *= k;
+        joined.width *= k;
+        joined.height /= k;
+        EXPECT_EQ(geometryOf(cut).status, Status::UnknownGeometry) << cut.width << ", turn " << turn;
+        EXPECT_EQ(geometryOf(joined).status, Status::UnknownGeometry) << joined.width << ", turn " << turn;
+      }
+  }
+}
+
+TEST(ScannerGeometry, RingsInAnyOrderAreNotTakenForJoinedRows) {
+  const PosedCloud plain = epcc::test::scannerCloud(360, 32);
+  const auto two_banks = epcc::test::reordered(plain, 360, 32, [](int row, int column) {  // 0 2 4 ... 1 3 5 ...
+    return static_cast<std::size_t>((row / 2 + row % 2 * 16) * 360 + column);
+  });
+  EXPECT_EQ(geometryOf(two_banks).status, Status::Ok);
+  EXPECT_EQ(geometryOf(epcc::test::rowsAndColumnsExchanged(two_banks)).status, Status::Ok);
+}
+
 TEST(ScannerGeometry, TheViewpointIsTriedAndNeedNotBeRight) {
   const PosedCloud cloud = moved(epcc::test::scannerCloud(360, 32), kTurn, kShift);
   for (const double error : {0.0, 3.0}) {
