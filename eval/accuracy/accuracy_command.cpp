@@ -45,10 +45,15 @@ std::optional<int> parse(int argc, const char* const* argv, CommandOptions& opti
   app.footer(kFooter);
   app.set_version_flag("--version", versionText("epcc_accuracy"));
   AccuracyOptions& accuracy = options.accuracy;
-  app.add_option("--data", accuracy.data, "Folder of the data sets (" + accuracy.data + ")")->type_name("DIR");
+  app.add_option("--data", accuracy.data, "Folder of the data sets (" + accuracy.data + ")")
+      ->type_name("DIR")
+      ->check(checkPath);
   app.add_option("--out", accuracy.out, "Folder for frames.csv, curve.png and overlays/ (" + accuracy.out + ")")
-      ->type_name("DIR");
-  app.add_option("--page", options.page, "Page whose tables are renewed (none)")->type_name("FILE.md");
+      ->type_name("DIR")
+      ->check(checkPath);
+  app.add_option("--page", options.page, "Page whose tables are renewed (none)")
+      ->type_name("FILE.md")
+      ->check(checkPath);
   app.add_option("--seeds", accuracy.seeds, "Seeds of each rendered scene and noise (2)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));

@@ -17,6 +17,7 @@
 #include "eval/experiment/problem_list.h"
 #include "eval/program/command_line.h"
 #include "eval/program/progress_line.h"
+#include "eval/program/reading_arguments.h"
 #include "eval/report/evaluation_report.h"
 
 namespace epcc {
@@ -29,6 +30,8 @@ class EvalRun {
 
   /// False if two data sets cannot be told apart.
   bool openDatasets();
+  /// False, and said, if an option is of no use to any frame.
+  bool readingApplies();
   /// No data set could be opened, as has been said.
   bool nothingToDo() const { return sources_.empty(); }
   const std::vector<std::unique_ptr<FrameSource>>& sources() const { return sources_; }
@@ -66,6 +69,15 @@ bool EvalRun::openDatasets() {
     }
   }
   return true;
+}
+
+bool EvalRun::readingApplies() {
+  FrameKinds kinds;
+  if (options_.reading.areDefault() || !unusable_.empty()) return true;
+  for (const auto& source : sources_) kinds.add(*source);
+  const std::string problem = uselessOption(options_.reading, kinds);
+  if (!problem.empty()) say(problem);
+  return problem.empty();
 }
 
 void EvalRun::note(const std::string& problem) {
@@ -146,6 +158,7 @@ int runEval(const EvalOptions& options, std::ostream& out, std::ostream& err) {
     EvalRun run(options, err);
     if (!run.openDatasets()) return kExitUsage;
     if (run.nothingToDo()) return kExitInput;  // --out is left as it is, for the corrected command
+    if (!run.readingApplies()) return kExitUsage;
     if (!options.repeatability_lags.empty()) return runRepeatability(options, run.sources(), run.unusable(), out, err);
     const std::optional<ExperimentSummary> summary = run.run();
     if (!summary) return kExitUsage;

@@ -155,7 +155,8 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
                  "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | FILE.json | auto (else the frame's own, else auto)")
       ->type_name("NOISE");
   app.add_option("--out", options.out, "Folder for the report, the results frame by frame, and labels/METHOD/")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(checkPath);
   app.add_option("--jobs", options.jobs, "Frames at a time, 0 = one a core (1; more disturb the times)")
       ->type_name("J")
       ->check(CLI::Range(0, 1024));

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "datasets/support/input_error.h"
+#include "datasets/support/output_folder.h"
 #include "eval/comparison/compare_options.h"
 #include "eval/comparison/comparison_report.h"
 #include "eval/comparison/study_catalogue.h"
@@ -38,6 +39,7 @@ int compareMain(int argc, const char* const* argv, std::ostream& out, std::ostre
   CompareOptions options;
   if (const auto done = parseCompareOptions(argc, argv, options, out, err)) return *done;
   return runProgram("epcc_compare", out, err, [&] {
+    makeOutputFolder(options.out);  // that it cannot be made is told before the work
     ProgressLine progress(err);
     if (options.study.empty())
       compare(options, out, progress);

@@ -85,7 +85,9 @@ void addOptions(CLI::App& app, CompareOptions& options, RawOptions& raw) {
       ->check(CLI::Range(1, kMaxSeeds));
   app.add_option("--first-seed", comparison.first_seed, "First seed (0)")->type_name("N");
   app.add_option("--jobs", raw.jobs, "Threads, 0 = one a core (0)")->type_name("J")->check(CLI::Range(0, 1024));
-  app.add_option("--out", options.out, "Folder for the tables and pictures (results)")->type_name("DIR");
+  app.add_option("--out", options.out, "Folder for the tables and pictures (results)")
+      ->type_name("DIR")
+      ->check(checkPath);
 }
 
 }  // namespace

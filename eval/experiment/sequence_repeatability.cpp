@@ -66,6 +66,7 @@ class SequenceRun {
 
   SeenFrame seen(const FrameJob& job) {
     LabelledFrame frame = job.source->read(job.index);
+    readAs(frame, options_.reading);
     SeenFrame result;
     result.index = job.index;
     result.view.camera = frame.camera.camera;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/sources/reading_options.h"
 #include "eval/experiment/experiment.h"
 #include "eval/measures/repeatability.h"
 
@@ -15,6 +16,7 @@ namespace epcc {
 struct SequenceOptions {
   std::string noise;      ///< sensor model, as frameSensor() takes it; empty: the frame's "noise", else auto
   std::vector<int> lags;  ///< frames, each at least 1 and once
+  ReadingOptions reading = {};
 };
 
 /// What one method repeated between frames i and i + lag of a data set.

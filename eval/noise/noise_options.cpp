@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <ostream>
 
+#include "datasets/support/folder_listing.h"
 #include "epcc_segmentation/depth_frame.h"
 #include "eval/program/command_line.h"
+#include "eval/program/reading_arguments.h"
 
 namespace epcc {
 namespace {
@@ -23,6 +25,7 @@ constexpr const char* kFooter =
 
 struct RawOptions {
   std::optional<double> fx, fy, cx, cy, depth_scale;
+  ReadingArguments reading;
 };
 
 std::string setCamera(const RawOptions& raw, SegmentOptions& input) {
@@ -34,8 +37,15 @@ std::string setCamera(const RawOptions& raw, SegmentOptions& input) {
   if (!(numbers.depth_scale > 0.0)) return "--depth-scale: must be positive";
   const std::string problem = PinholeCamera{1, 1, numbers.fx, numbers.fy, numbers.cx, numbers.cy}.validate();
   if (!problem.empty()) return "camera: " + problem;
+  if (raw.depth_scale && input.reading.unit) return "--unit takes the place of --depth-scale, give one of them";
   input.camera = numbers;
   return {};
+}
+
+std::string checkOut(const std::string& text) {
+  for (const char* ending : {".json", ".png"})
+    if (hasEnding(text, ending)) return "'" + text + "' is to be the name without " + ending;
+  return text.empty() || text.back() == '/' ? "'" + text + "' names no file" : std::string();
 }
 
 }  // namespace
@@ -47,17 +57,24 @@ std::optional<int> parseNoiseOptions(int argc, const char* const* argv, NoiseCom
   app.set_version_flag("--version", versionText("epcc_noise"));
   app.set_help_flag("-h,--help", "Print this help and exit");
   RawOptions raw;
-  app.add_option("INPUT", options.input.inputs, "Frames of one camera")->required();
-  app.add_option("--out", options.out, "Path of the outputs without .json and .png")->required()->type_name("NAME");
-  app.add_option("--camera", options.input.camera_file, "Camera of all depth images")->type_name("FILE.json");
+  app.add_option("INPUT", options.input.inputs, "Frames of one camera")->required()->check(checkPath);
+  app.add_option("--out", options.out, "Path of the outputs without .json and .png")
+      ->required()
+      ->type_name("NAME")
+      ->check(checkOut);
+  app.add_option("--camera", options.input.camera_file, "Camera of all depth images")
+      ->type_name("FILE.json")
+      ->check(checkPath);
   app.add_option("--fx", raw.fx, "Focal length, pixels");
   app.add_option("--fy", raw.fy, "Focal length, pixels");
   app.add_option("--cx", raw.cx, "Principal point, pixels");
   app.add_option("--cy", raw.cy, "Principal point, pixels");
   app.add_option("--depth-scale", raw.depth_scale, "Metres a depth unit (0.001)");
+  addReadingArguments(app, raw.reading);
   return parseCommandLine(app, argc, argv, out, err, [&] {
-    require(!options.out.empty(), "--out: the name is empty");
-    const std::string problem = setCamera(raw, options.input);
+    std::string problem;
+    options.input.reading = readingOptions(raw.reading, problem);
+    if (problem.empty()) problem = setCamera(raw, options.input);
     require(problem.empty(), problem);
   });
 }

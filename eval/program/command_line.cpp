@@ -24,12 +24,23 @@ std::string lineStart(const std::string& program) {
   return program.substr(0, space) + ": " + program.substr(space + 1) + ": ";
 }
 
+/// An option with a typo counts as missing: the typo is the better thing to tell of.
+void parseTold(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::RequiredError&) {
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) throw CLI::ExtrasError(unknown);
+    throw;
+  }
+}
+
 }  // namespace
 
 std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv, std::ostream& out,
                                     std::ostream& err, const std::function<void()>& check) {
   try {
-    app.parse(argc, argv);
+    parseTold(app, argc, argv);
     require(vectorUnitProblem().empty(), vectorUnitProblem());
     if (check) check();
   } catch (const CLI::CallForHelp&) {
@@ -42,12 +53,18 @@ std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* 
     err << lineStart(app.get_name()) << printable(error.what(), kMaxLineBytes) << " (see " << app.get_name()
         << " --help)\n";
     return kExitUsage;
+  } catch (const InputError& error) {
+    return reportProblem(app.get_name(), err, error.what(), kExitInput);
   }
   return std::nullopt;
 }
 
 void require(bool condition, const std::string& problem) {
   if (!condition) throw CLI::ValidationError(problem);
+}
+
+std::string checkPath(const std::string& text) {
+  return text.empty() ? "the name is empty" : std::string();
 }
 
 int reportProblem(const std::string& program, std::ostream& err, const std::string& problem, ExitCode code) {

@@ -23,12 +23,16 @@ enum ExitCode {
 
 /// Reads the command line of the program that `app` is named after ("epcc_eval merge" complains as "epcc_eval: merge"),
 /// then calls `check`. Returns an exit code if the program is done: help, version, or an error, which is told on `err`
-/// in one line. EPCC_VECTOR_UNIT counts as part of it: no input is to blame for a unit that the machine has not.
+/// in one line: kExitUsage, or kExitInput for an InputError of a file that an option names. EPCC_VECTOR_UNIT counts as
+/// part of it: no input is to blame for a unit that the machine has not.
 std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv, std::ostream& out,
                                     std::ostream& err, const std::function<void()>& check = {});
 
 /// For `check`: ends it with a problem unless `condition` holds.
 void require(bool condition, const std::string& problem);
+
+/// A check of options that name a file or folder: what is wrong with the name, whatever is there.
+std::string checkPath(const std::string& text);
 
 /// Tells `err` what is wrong, in one line that starts with the program's name, and returns the code.
 int reportProblem(const std::string& program, std::ostream& err, const std::string& problem, ExitCode code);

@@ -33,11 +33,8 @@ std::string noiseProblem(const std::string& text) {
   if (text == kAuto) return {};
   std::string why;
   if (isFile(text)) {
-    try {
-      return SensorModel::parse(noiseOfFile(text), &why) ? std::string() : text + ": noise: " + why;
-    } catch (const InputError& error) {
-      return error.what();
-    }
+    if (!SensorModel::parse(noiseOfFile(text), &why)) throw InputError(text, "noise", why);
+    return {};
   }
   if (SensorModel::parse(text, &why)) return {};
   const bool is_unknown = why.find("is neither a preset") != std::string::npos;

@@ -18,7 +18,7 @@ struct FrameSensor {
 };
 
 /// Empty if `text` is "auto", a FILE.json with a key "noise", as epcc_noise writes it, or something SensorModel::parse
-/// takes; else what is wrong.
+/// takes; else what is wrong. InputError naming the file if there is none that can be used.
 std::string noiseProblem(const std::string& text);
 
 /// The command line's choice (empty: none), as noiseProblem() takes it, else the frame's own "noise", else "auto":

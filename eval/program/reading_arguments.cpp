@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "datasets/support/folder_listing.h"
 #include "datasets/support/number_text.h"
 
 namespace epcc {
@@ -59,6 +60,25 @@ ReadingOptions readingOptions(const ReadingArguments& arguments, std::string& pr
     options.sensor = arguments.projection == "camera" ? CloudOptions::Sensor::Camera : CloudOptions::Sensor::Scanner;
   if (!arguments.unit.empty()) options.unit = arguments.unit == "m" ? 1.0 : arguments.unit == "cm" ? 0.01 : 0.001;
   return options;
+}
+
+void FrameKinds::add(const std::string& file) {
+  (hasEnding(file, ".pcd") ? has_clouds : has_depth_images) = true;
+}
+
+void FrameKinds::add(const FrameSource& source) {
+  for (std::size_t i = 0; i < source.size() && !(has_clouds && has_depth_images); ++i) {
+    const std::vector<std::string> files = source.files(i);
+    add(files.empty() ? std::string() : files.front());
+  }
+}
+
+std::string uselessOption(const ReadingOptions& options, const FrameKinds& kinds) {
+  if (options.is_distance && kinds.has_clouds && !kinds.has_depth_images)
+    return "--distance is for depth images, and there are clouds only";
+  if (options.sensor != CloudOptions::Sensor::Any && kinds.has_depth_images && !kinds.has_clouds)
+    return "--projection is for clouds, and there are depth images only";
+  return {};
 }
 
 std::string readingText(const ReadingOptions& options) {

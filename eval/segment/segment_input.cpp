@@ -10,6 +10,7 @@
 #include "datasets/files/png_io.h"
 #include "datasets/sources/dataset_registry.h"
 #include "datasets/support/folder_listing.h"
+#include "eval/program/reading_arguments.h"
 
 namespace epcc {
 namespace {
@@ -89,14 +90,25 @@ std::vector<SegmentInput> datasetInputs(const std::string& dataset, const Segmen
   }
 }
 
-void checkCamera(SegmentInput& input, const SegmentOptions& options, InputList& list) {
+void checkCamera(SegmentInput& input, InputList& list) {
   std::error_code ignored;
   if (input.problem || input.camera_file.empty() || fs::exists(input.camera_file, ignored)) return;
-  if (!options.camera_file.empty()) return;  // reading it tells what is wrong
   input.problem = InputError(input.path, "camera", "there is no " + input.camera_file + " beside it");
   if (!list.several)
     list.usage_problem = input.path + ": camera: none given and no " + input.camera_file +
                          "; use --camera or --fx --fy --cx --cy --depth-scale";
+}
+
+/// Names the option that none of the inputs has a use for, as far as they can be known.
+std::string uselessFor(const std::vector<SegmentInput>& inputs, const SegmentOptions& options) {
+  FrameKinds kinds;
+  for (const SegmentInput& input : inputs) {
+    if (input.problem) return {};
+    kinds.add(input.path);
+  }
+  if (options.givesCamera() && kinds.has_clouds && !kinds.has_depth_images)
+    return std::string(options.camera ? "--fx" : "--camera") + " is for depth images, and there are clouds only";
+  return uselessOption(options.reading, kinds);
 }
 
 CameraFile cameraFor(const SegmentInput& input, const SegmentOptions& options, int width, int height) {
@@ -133,6 +145,7 @@ LabelledFrame loadInput(const SegmentInput& input, const SegmentOptions& options
 }
 
 InputList listInputs(const SegmentOptions& options) {
+  if (!options.camera_file.empty()) readCameraJson(options.camera_file);  // once, and whatever the inputs are
   InputList list;
   list.several = options.inputs.size() > 1;
   for (const std::string& input : options.inputs) {
@@ -144,7 +157,8 @@ InputList listInputs(const SegmentOptions& options) {
       list.inputs.push_back(fileInput(input, options));
     }
   }
-  for (SegmentInput& input : list.inputs) checkCamera(input, options, list);
+  for (SegmentInput& input : list.inputs) checkCamera(input, list);
+  if (list.usage_problem.empty()) list.usage_problem = uselessFor(list.inputs, options);
   return list;
 }
 

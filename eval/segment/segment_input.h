@@ -33,7 +33,8 @@ struct InputList {
 };
 
 /// Lists the frames behind the INPUTs without reading them. A depth image without a camera is a usage problem if it is
-/// the only input, and so is a camera for a data set that brings its own.
+/// the only input, and so are a camera for a data set that brings its own and options that no input has a use for.
+/// Throws InputError if --camera names no camera.
 InputList listInputs(const SegmentOptions& options);
 
 /// Reads one input. Throws InputError.

@@ -78,10 +78,6 @@ std::string checkCriterion(const std::string& text) {
   return known ? std::string() : "'" + text + "' is none of 'a', 'b', 'c', 'd'";
 }
 
-std::string checkPath(const std::string& text) {
-  return text.empty() ? "the name is empty" : std::string();
-}
-
 void addCameraOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
   CLI::Option* file = app.add_option("--camera", options.camera_file, "Camera of the depth images")
                           ->type_name("NAME.json")
@@ -194,6 +190,7 @@ std::string setOptions(const RawOptions& raw, SegmentOptions& options) {
   std::string misread;
   options.reading = readingOptions(raw.reading, misread);
   if (!misread.empty()) return misread;
+  if (raw.depth_scale && options.reading.unit) return "--unit takes the place of --depth-scale, give one of them";
   if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
   const std::string problem = setMethod(raw, options.parameters);
   options.parameters.line_segments |=

@@ -38,6 +38,22 @@ TEST_F(EvalBadInput, BadFramesCostARowEach) {
   EXPECT_NE(read("o/summary.md").find("b.json"), std::string::npos);
 }
 
+TEST_F(EvalBadInput, OptionsThatNoFrameHasAUseForAreRefused) {
+  writeFrame("rooms", "a");
+  std::filesystem::create_directory(path("scans"));
+  write("scans/s.pcd", "broken");
+  write("scans/s.json", "{}");
+  expectFailure({"rooms", "--methods", "omps", "--projection", "camera"}, 2,
+                "--projection is for clouds, and there are depth images only");
+  expectFailure({"scans", "--methods", "omps", "--distance"}, 2,
+                "--distance is for depth images, and there are clouds only");
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--distance"}, {"--projection", "scanner"}}) {
+    std::vector<std::string> arguments = {"rooms", "scans", "--methods", "omps"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    EXPECT_EQ(run(arguments).exit_code, 0) << "some frames have";
+  }
+}
+
 TEST_F(EvalBadInput, StrictMakesErrorsCountInTheExitCode) {
   writeFrame("rooms", "a");
   EXPECT_EQ(run({"rooms", "--methods", "omps", "--strict"}).exit_code, 0);

@@ -96,6 +96,8 @@ TEST_F(EvalUsage, Refusals) {
   expectFailure({"frames", "--predictions", "..=x"}, 2, "is not NAME=DIR");
   expectFailure({"frames", "--predictions", "mine="}, 2, "is not NAME=DIR");
   expectFailure({"frames", "--noise", "nothing-known"}, 2, "--noise: ");
+  expectFailure({"frames", "--out", ""}, 2, "--out: the name is empty");
+  expectFailure({"frames", "--noise", "no.json"}, 3, "no.json: file: does not exist");
   expectFailure({"frames", "--jobs", "-1"}, 2, "--jobs");
   expectFailure({"frames", "--jobs", "two"}, 2, "--jobs");
   expectFailure({"frames", "--overlays"}, 2, "--overlays needs --out");

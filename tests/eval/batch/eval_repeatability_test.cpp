@@ -46,6 +46,28 @@ TEST_F(EvalRepeatability, FramesWithoutPoseAreNamed) {
   EXPECT_EQ(run(arguments).exit_code, 3) << "there is no pair left";
 }
 
+TEST_F(EvalRepeatability, LagsThatNoSequenceIsLongEnoughForAreNamed) {
+  for (unsigned i = 0; i < 3; ++i) writePosedFrame("f" + std::to_string(i), i);
+  expectFailure({"walk", "--repeatability", "3", "--methods", "epcc", "--out", "o"}, 3,
+                "--repeatability: 3 is not below the number of frames, 3");
+  EXPECT_FALSE(exists("o"));
+  const auto result = run({"walk", "--repeatability", "2,500", "--methods", "epcc"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "epcc_eval: --repeatability: 500 is not below the number of frames, 3\n");
+  EXPECT_EQ(run({"walk", "--repeatability", "2,500", "--methods", "epcc", "--strict"}).exit_code, 3);
+}
+
+TEST_F(EvalRepeatability, TakesTheOptionsThatSayWhatTheNumbersOfAnInputAre) {
+  for (unsigned i = 0; i < 2; ++i) writePosedFrame("f" + std::to_string(i), i);
+  const auto table = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"walk", "--repeatability", "1", "--methods", "epcc"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments).out;
+  };
+  EXPECT_EQ(table({"--unit", "mm"}), table({}));
+  EXPECT_NE(table({"--max-depth", "1.5"}), table({}));
+}
+
 TEST_F(EvalRepeatability, WhatBelongsToScoresIsRefused) {
   writePosedFrame("f0", 0);
   const auto refused = [&](const std::vector<std::string>& more, const std::string& words) {

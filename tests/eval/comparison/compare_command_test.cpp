@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "eval/comparison/compare_options.h"
@@ -33,8 +34,16 @@ TEST_F(CompareCommand, UsageErrorsAreOneLine) {
       {{"--nonsense"}, "--nonsense"},
       {{"study", "nothing"}, "unknown study 'nothing'"},
       {{"study"}, "NAME"},
+      {{"--out", ""}, "--out: the name is empty"},
       {{"study", "scan", "--default"}, "--default"}};
   for (const auto& [arguments, words] : cases) expectFailure(run(arguments), "epcc_compare", 2, words);
+}
+
+TEST_F(CompareCommand, AFolderThatCannotBeMadeIsToldBeforeTheWork) {
+  std::ofstream(path("file")) << "text";
+  // So many seeds would take days.
+  expectFailure(run({"--seeds", "100000", "--slow-seeds", "100000", "--out", path("file")}), "epcc_compare", 4,
+                "file: folder");
 }
 
 TEST_F(CompareCommand, HelpAndVersion) {

@@ -11,6 +11,7 @@
 #include "datasets/noise/sensor_noise.h"
 #include "datasets/rendered/scene.h"
 #include "eval/program/frame_sensor.h"
+#include "tests/support/expect_errors.h"
 #include "tests/support/run_tool.h"
 
 namespace epcc::test {
@@ -83,12 +84,38 @@ TEST_F(NoiseCommand, NoiseFilesThatAreNoneAreToldOf) {
     std::ofstream(path("x.json")) << text;
     return noiseProblem(path("x.json"));
   };
-  EXPECT_NE(noiseProblem(path("none.json")).find("does not exist"), std::string::npos);
-  EXPECT_NE(problemOf("{}").find("noise: is missing"), std::string::npos);
-  EXPECT_NE(problemOf(R"({"noise": 3})").find("noise: is not a text"), std::string::npos);
-  EXPECT_NE(problemOf(R"({"noise": "1,2"})").find("three finite numbers"), std::string::npos);
-  EXPECT_NE(problemOf(R"({"noise": "auto"})"), "");
+  const auto fails = [&](const std::string& text, const std::string& words) {
+    expectInputError([&] { problemOf(text); }, path("x.json"), "noise", words);
+  };
+  expectInputError([&] { noiseProblem(path("none.json")); }, path("none.json"), "file", "does not exist");
+  fails("{}", "is missing");
+  fails(R"({"noise": 3})", "is not a text");
+  fails(R"({"noise": "1,2"})", "three finite numbers");
+  fails(R"({"noise": "auto"})", "");
   EXPECT_EQ(problemOf(R"({"noise": "realsense"})"), "");
+}
+
+TEST_F(NoiseCommand, TakesTheOptionsThatSayWhatTheNumbersOfAnInputAre) {
+  render("f", "white:0.008,0.002,1", 1);
+  const auto farthest = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {path("f"), "--out", path("camera")});
+    const ToolResult result = run(more);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return nlohmann::json::parse(read("camera.json"))["bins"].back()["depth_m"].get<double>();
+  };
+  const double plain = farthest({"--unit", "mm"});
+  EXPECT_NEAR(farthest({"--unit", "cm"}) / plain, 10.0, 0.5);
+  EXPECT_LE(farthest({"--min-depth", "0.1", "--max-depth", "2"}), 2.0);
+  EXPECT_LT(farthest({"--distance"}), plain);
+  farthest({"--invalid", "0"});
+  const auto fails = [&](std::vector<std::string> more, const std::string& words) {
+    more.insert(more.begin(), {path("f"), "--out", path("x")});
+    expectFailure(run(more), "epcc_noise", 2, words);
+  };
+  fails({"--min-depth", "3", "--max-depth", "2"}, "--min-depth is not less than --max-depth");
+  fails({"--unit", "km"}, "--unit");
+  fails({"--projection", "scanner"}, "--projection is for clouds");
+  fails({"--fx", "60", "--fy", "60", "--cx", "32", "--cy", "24", "--depth-scale", "1", "--unit", "m"}, "--depth-scale");
 }
 
 TEST_F(NoiseCommand, AFrameThatDoesNotFitIsToldOfAndLeftOut) {
@@ -112,11 +139,18 @@ TEST_F(NoiseCommand, SaysWhatIsWrong) {
   };
   fails({path("f")}, 2, "--out");
   fails({"--out", path("x")}, 2, "INPUT");
+  fails({"--ouput", path("x")}, 2, "--ouput");
+  fails({"", "--out", path("x")}, 2, "INPUT: the name is empty");
+  fails({path("f"), "--out", ""}, 2, "--out");
+  fails({path("f"), "--out", path("f/")}, 2, "names no file");
+  fails({path("f"), "--out", path("x.json")}, 2, "the name without .json");
   fails({path("f"), "--out", path("x"), "--fx", "3"}, 2, "come together");
   fails({path("f"), "--out", path("f/c_000")}, 2, "would overwrite an input");
   render("other", "none", 1);
   fails({path("f"), "--out", path("other/c_000")}, 2, "is a camera file");
   fails({path("nothing.png"), "--out", path("x")}, 3, "does not exist");
+  fails({path("f"), "--out", path("x"), "--camera", path("no.json")}, 3, "no.json: file: does not exist");
+  fails({path("f"), "--out", path("x"), "--camera", ""}, 2, "--camera");
   fails({path("f"), "--out", path("no/folder/x")}, 4, "no/folder/x.json");
   LabelledFrame empty;
   empty.name = "e";

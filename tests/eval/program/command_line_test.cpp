@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <new>
 #include <sstream>
 #include <stdexcept>
@@ -29,6 +30,31 @@ TEST(RunStep, ErrorsBecomeALineAndAnExitCode) {
   EXPECT_EQ(outcome(std::bad_alloc()), Outcome(3, "epcc_test: needs more memory than there is\n"));
   EXPECT_EQ(outcome(std::runtime_error("two\nlines")), Outcome(3, "epcc_test: two?lines\n"));
   EXPECT_EQ(outcome(std::runtime_error("x"), "epcc_eval merge"), Outcome(3, "epcc_eval: merge: x\n"));
+}
+
+/// Exit code and line of a program with an INPUT and --size, the latter of which a file may be to blame for.
+Outcome outcomeOf(std::vector<const char*> arguments) {
+  CLI::App app("", "epcc_test");
+  std::string input, size;
+  app.add_option("INPUT", input)->required()->check(checkPath);
+  app.add_option("--size", size)->check([](const std::string& text) -> std::string {
+    throw InputError(text, "size", "is odd");
+  });
+  arguments.insert(arguments.begin(), "epcc_test");
+  std::ostringstream out, err;
+  const auto code = parseCommandLine(app, static_cast<int>(arguments.size()), arguments.data(), out, err);
+  return {code.value_or(-1), err.str()};
+}
+
+TEST(ParseCommandLine, TellsOfATypoBeforeWhatIsMissingForIt) {
+  EXPECT_EQ(outcomeOf({}), Outcome(2, "epcc_test: INPUT is required (see epcc_test --help)\n"));
+  EXPECT_EQ(outcomeOf({"--sise"}),
+            Outcome(2, "epcc_test: The following argument was not expected: --sise (see epcc_test --help)\n"));
+  EXPECT_EQ(outcomeOf({""}), Outcome(2, "epcc_test: INPUT: the name is empty (see epcc_test --help)\n"));
+}
+
+TEST(ParseCommandLine, AFileThatAnOptionNamesIsAnInput) {
+  EXPECT_EQ(outcomeOf({"a.png", "--size", "b.json"}), Outcome(3, "epcc_test: b.json: size: is odd\n"));
 }
 
 TEST(RunStep, CodesArePassedOn) {

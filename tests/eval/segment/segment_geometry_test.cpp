@@ -108,6 +108,44 @@ TEST_F(SegmentGeometry, WhatNoSensorSeesIsAnInputThatCannotBeUsed) {
   EXPECT_FALSE(exists("l.png"));
 }
 
+TEST_F(SegmentGeometry, AWrongWidthIsNamed) {
+  writeCloud("room.pcd");
+  std::string text = read("room.pcd");
+  const std::string right = "WIDTH 64\nHEIGHT 48\n";
+  text.replace(text.find(right), right.size(), "WIDTH 32\nHEIGHT 96\n");
+  write("cut.pcd", text);
+  expectFailure({"cut.pcd", "--labels", "l.png"}, 3, "as 64x48 they would be a camera's: its width is likely wrong");
+  EXPECT_FALSE(exists("l.png"));
+}
+
+TEST_F(SegmentGeometry, WhatNoInputHasAUseForIsRefused) {
+  writeFrame("room");
+  writeCloud("cloud.pcd");
+  const std::vector<std::string> numbers = {"--fx", "60", "--fy", "60", "--cx", "31.5", "--cy", "23.5"};
+  const auto with = [](std::vector<std::string> inputs, const std::vector<std::string>& more) {
+    inputs.insert(inputs.end(), more.begin(), more.end());
+    return inputs;
+  };
+  expectFailure(with({"cloud.pcd"}, numbers), 2, "--fx is for depth images, and there are clouds only");
+  expectFailure({"cloud.pcd", "--camera", "room.json"}, 2, "--camera is for depth images");
+  expectFailure({"cloud.pcd", "--distance"}, 2, "--distance is for depth images, and there are clouds only");
+  expectFailure({"room_depth.png", "--projection", "scanner"}, 2, "--projection is for clouds");
+  std::filesystem::create_directory(path("clouds"));
+  std::filesystem::rename(path("cloud.pcd"), path("clouds/cloud.pcd"));
+  writeCamera("clouds/cloud.json");
+  expectFailure({"clouds", "--distance"}, 2, "--distance is for depth images");
+  expectFailure({"clouds", "--camera", "room.json"}, 2, "--camera is for depth images");
+  // Together each has its use.
+  EXPECT_EQ(run(with({"clouds/cloud.pcd", "room_depth.png"}, numbers)).exit_code, 0);
+  EXPECT_EQ(run({"clouds/cloud.pcd", "room_depth.png", "--distance", "--projection", "camera"}).exit_code, 0);
+  EXPECT_EQ(run({"clouds", "--projection", "camera"}).exit_code, 0);
+  EXPECT_EQ(run({"room_depth.png", "--projection", "auto"}).exit_code, 0);
+  // What is not there might have had a use for it.
+  const ToolResult missing = run({"nothing.png", "clouds/cloud.pcd", "--distance"});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_NE(missing.err.find("nothing.png: file: does not exist"), std::string::npos) << missing.err;
+}
+
 TEST_F(SegmentGeometry, TheKindMayBeNamed) {
   writeMoved("robot.pcd", bodyAxes(), Eigen::Vector3d::Zero(), 1.0);
   for (const char* kind : {"camera", "scanner"})
@@ -170,6 +208,8 @@ TEST_F(SegmentGeometry, NumbersAreChecked) {
   usage({"--min-depth", "-1"}, "--min-depth");
   usage({"--max-depth", "nan"}, "--max-depth");
   usage({"--invalid", "none"}, "--invalid");
+  usage({"--unit", "mm", "--fx", "60", "--fy", "60", "--cx", "32", "--cy", "24", "--depth-scale", "1"},
+        "--depth-scale");
   usage({"--min-depth", "3", "--max-depth", "2"}, "--min-depth is not less than --max-depth");
 }
 

@@ -209,7 +209,9 @@ TEST_F(SegmentOptions, CameraFile) {
   writeDepth("alone.png");
   writeCamera("other.json");
   EXPECT_EQ(run({"alone.png", "--camera", "other.json"}).exit_code, 0);
-  expectFailure({"alone.png", "--camera", "missing.json"}, 3, "missing.json");
+  expectFailure({"alone.png", "--camera", "missing.json"}, 3, "missing.json: file: does not exist");
+  expectFailure({"alone.png", "room_depth.png", "--camera", "missing.json"}, 3, "missing.json");
+  expectFailure({"alone.png", "--noise", "missing.json"}, 3, "missing.json: file: does not exist");
 }
 
 TEST_F(SegmentOptions, CameraNumbers) {
