@@ -12,6 +12,7 @@
 #include "geometry/sensor_cloud.h"
 #include "inverse_depth/inverse_depth_pipeline.h"
 #include "inverse_depth/sample_grid.h"
+#include "inverse_depth/scattered_pixels.h"
 #include "metric/metric_pipeline.h"
 #include "plane_fit_samples.h"
 #include "sensor/sensor_adaptation.h"
@@ -66,6 +67,7 @@ struct PlaneExtractor::Workspace {
   }
   SensorCloud cloud;
   InverseDepthImage image;
+  ScatteredPixels scattered;
   SensorEstimator estimator;
   std::vector<double> ratios;  // memory of S0
   MetricPipeline metric;
@@ -157,12 +159,13 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   StopWatch watch;
   const int stride = strideFor(longerSide(frame.width(), frame.height()), parameters_.inverse_depth.stride);
   workspace_->image.read(frame, parameters_.threads, stride);
+  ScatteredPixels* const scattered = workspace_->scattered.find(workspace_->image) ? &workspace_->scattered : nullptr;
   times_.read = watch.lap();
-  adaptSensor();  // S0
+  adaptSensor(scattered != nullptr ? scattered->blocks() : workspace_->image);  // S0
   times_.sensor = watch.lap();
   InverseDepthPipeline& pipeline = workspace_->inverse_depth;
   pipeline.configure(parameters_, sensor_);
-  pipeline.begin(workspace_->image);
+  pipeline.begin(workspace_->image, scattered);
   times_.read += watch.lap();
   pipeline.growLines();  // S1
   times_.lines = watch.lap();
@@ -184,10 +187,9 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   return pipeline.labelCount();
 }
 
-void PlaneExtractor::adaptSensor() {
+void PlaneExtractor::adaptSensor(const InverseDepthImage& image) {
   sensor_ = given_sensor_;
   if (!measures_sensor_ && !parameters_.inverse_depth.adapt_sensor) return;
-  const InverseDepthImage& image = workspace_->image;
   if (measures_sensor_)
     sensor_ = workspace_->estimator.update(image).model();
   else
@@ -206,7 +208,7 @@ void PlaneExtractor::measureSensor(const DepthFrame& frame) {
   StopWatch watch;
   workspace_->image.read(frame, parameters_.threads);
   times_.read = watch.lap();
-  sensor_ = workspace_->estimator.update(workspace_->image).model();
+  sensor_ = workspace_->estimator.update(workspace_->scattered.denseForm(workspace_->image)).model();
   times_.sensor = watch.lap();
 }
 

@@ -15,6 +15,8 @@
 
 namespace epcc {
 
+struct InverseDepthImage;  // internal: a frame that has been read
+
 /// Wall-clock seconds of the last extraction, by stage.
 struct StageTimes {
   double read = 0.0;     ///< depth -> inverse depth (inverse-depth mode, or where the sensor was measured)
@@ -71,7 +73,7 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   void extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result);
   int extractMetric(const DepthFrame& frame, PlaneSegmentation& result);
   int extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result);
-  void adaptSensor();
+  void adaptSensor(const InverseDepthImage& image);
   void measureSensor(const DepthFrame& frame);
   void listSegments(const DepthFrame& frame, PlaneSegmentation& result) const;
 

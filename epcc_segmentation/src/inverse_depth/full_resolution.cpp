@@ -21,13 +21,13 @@ void toSingle(const std::vector<double>& values, std::vector<float>& single) {
 /// Asks the pixels on both sides of the edges between samples of different labels.
 class BorderEdges {
  public:
-  BorderEdges(const InverseDepthImage& image, const RegionMap& map, int stride, int probe, const PixelPlane* planes,
-              const PixelRays& rays, BorderMemory& memory)
+  BorderEdges(const InverseDepthImage& image, const RegionMap& map, const GridSteps& steps, int probe,
+              const PixelPlane* planes, const PixelRays& rays, BorderMemory& memory)
       : image_(image),
         samples_(map.labels.data()),
-        rows_(sampleCount(image.height, stride)),
-        columns_(sampleCount(image.width, stride)),
-        stride_(stride),
+        rows_(sampleCount(image.height, steps.along)),
+        columns_(sampleCount(image.width, steps.across)),
+        steps_(steps),
         probe_(probe),
         planes_(planes),
         rays_(rays),
@@ -40,7 +40,7 @@ class BorderEdges {
     memory_.run_begins.assign(1, 0);
     memory_.run_labels.assign(1, sampleAt({row, 0}));
     for (const int column : listed()) {
-      memory_.run_begins.push_back(column * stride_);
+      memory_.run_begins.push_back(column * steps_.across);
       memory_.run_labels.push_back(sampleAt({row, column}));
     }
     memory_.run_begins.push_back(image_.width);
@@ -51,9 +51,9 @@ class BorderEdges {
   void askBeside(int row) {
     for (const int column : memory_.places) {
       const Edge edge = edgeBetween({row, column - 1}, {row, column}, {0, 1});
-      const int middle = column * stride_;
-      ask(edge.first, row * stride_, rowEnd(row), middle - stride_ / 2, middle);
-      ask(edge.second, row * stride_, rowEnd(row), middle, middle + stride_ / 2);
+      const int middle = column * steps_.across;
+      ask(edge.first, row * steps_.along, rowEnd(row), middle - steps_.across / 2, middle);
+      ask(edge.second, row * steps_.along, rowEnd(row), middle, middle + steps_.across / 2);
     }
   }
 
@@ -63,9 +63,9 @@ class BorderEdges {
     markUpperBorders(samples_, columns_, row, memory_.borders);
     for (const int column : listed()) {
       const Edge edge = edgeBetween({row - 1, column}, {row, column}, {1, 0});
-      const int middle = row * stride_;
-      ask(edge.first, middle - stride_ / 2, middle, column * stride_, columnEnd(column));
-      ask(edge.second, middle, middle + stride_ / 2, column * stride_, columnEnd(column));
+      const int middle = row * steps_.along;
+      ask(edge.first, middle - steps_.along / 2, middle, column * steps_.across, columnEnd(column));
+      ask(edge.second, middle, middle + steps_.along / 2, column * steps_.across, columnEnd(column));
     }
   }
 
@@ -83,8 +83,8 @@ class BorderEdges {
     return memory_.places;
   }
 
-  int rowEnd(int row) const { return row + 1 < rows_ ? (row + 1) * stride_ : image_.height; }
-  int columnEnd(int column) const { return column + 1 < columns_ ? (column + 1) * stride_ : image_.width; }
+  int rowEnd(int row) const { return row + 1 < rows_ ? (row + 1) * steps_.along : image_.height; }
+  int columnEnd(int column) const { return column + 1 < columns_ ? (column + 1) * steps_.across : image_.width; }
 
   std::int32_t sampleAt(const Place& place) const {
     if (place.row < 0 || place.row >= rows_ || place.column < 0 || place.column >= columns_) return 0;
@@ -93,8 +93,8 @@ class BorderEdges {
 
   float planeAt(std::int32_t label, const Place& sample) const {
     const PixelPlane& plane = planes_[label];
-    const int row = std::min(sample.row * stride_ + stride_ / 2, image_.height - 1);
-    const int column = std::min(sample.column * stride_ + stride_ / 2, image_.width - 1);
+    const int row = std::min(sample.row * steps_.along + steps_.along / 2, image_.height - 1);
+    const int column = std::min(sample.column * steps_.across + steps_.across / 2, image_.width - 1);
     return plane.across * rays_.across[column] + plane.along * rays_.along[row] + plane.forward * rays_.forward[column];
   }
 
@@ -121,7 +121,7 @@ class BorderEdges {
   const InverseDepthImage& image_;
   const std::int32_t* samples_;
   int rows_, columns_;
-  int stride_;
+  GridSteps steps_;
   int probe_;  // samples between the border and what lies to its sides
   const PixelPlane* planes_;
   const PixelRays& rays_;
@@ -141,7 +141,7 @@ void FullResolution::takePlanes(const std::vector<PlaneMoments>& regions) {
 }
 
 void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoise& noise, const RegionMap& map,
-                           int stride, const InverseDepthParameters::Refinement& rule, int threads,
+                           const GridSteps& steps, const InverseDepthParameters::Refinement& rule, int threads,
                            std::vector<std::int32_t>& labels) {
   labels.resize(image.w.size());
   toSingle(image.across, across_);
@@ -160,9 +160,10 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
                             static_cast<float>(rule.flip_gain),
                             static_cast<float>(rule.crease_range),
                             static_cast<float>(rule.crease_slack)};
-  const int sample_columns = sampleCount(image.width, stride);
-  const int sample_rows = sampleCount(image.height, stride);
-  const int probe = std::max(1, (rule.crease_vote_pixels + stride / 2) / stride);
+  const int sample_columns = sampleCount(image.width, steps.across);
+  const int sample_rows = sampleCount(image.height, steps.along);
+  const int side = static_cast<int>(std::lround(steps.side()));
+  const int probe = std::max(1, (rule.crease_vote_pixels + side / 2) / side);
   border_memory_.resize(static_cast<std::size_t>(std::max(1, threads)));
   for (BorderMemory& memory : border_memory_) {  // none is to grow because a thread had nothing to do so far
     memory.pixels.assign(planes_.size(), 0);
@@ -170,7 +171,7 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
     memory.places.clear(sample_columns);
     memory.run_begins.reserve(static_cast<std::size_t>(sample_columns) + 1);
     memory.run_labels.reserve(static_cast<std::size_t>(sample_columns));
-    const auto pixels_of_row = static_cast<std::size_t>(sample_columns) * static_cast<std::size_t>(stride * stride);
+    const auto pixels_of_row = static_cast<std::size_t>(sample_columns) * static_cast<std::size_t>(steps.area());
     memory.questions.makeRoomFor(kEnoughQuestions + pixels_of_row);
   }
   begins_part_.assign(static_cast<std::size_t>(sample_rows), 0);
@@ -181,12 +182,12 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
   };
   sharedFor(sample_rows, threads, [&](int thread, int begin, int end) {
     BorderMemory& memory = border_memory_[static_cast<std::size_t>(thread)];
-    BorderEdges edges(image, map, stride, probe, planes_.data(), rays, memory);
+    BorderEdges edges(image, map, steps, probe, planes_.data(), rays, memory);
     begins_part_[static_cast<std::size_t>(begin)] = 1;
     for (int sample_row = begin; sample_row < end; ++sample_row) {
-      const int row_end = sample_row + 1 < sample_rows ? (sample_row + 1) * stride : image.height;
+      const int row_end = sample_row + 1 < sample_rows ? (sample_row + 1) * steps.along : image.height;
       const BlockRuns runs = edges.findBeside(sample_row);
-      for (int row = sample_row * stride; row < row_end; ++row)
+      for (int row = sample_row * steps.along; row < row_end; ++row)
         labelMembers({image.w.data() + image.index(row, 0), rays.across, rays.forward, rays.along[row],
                       scale_[static_cast<std::size_t>(row)], image.planar_rows, image.width, runs, planes_.data(),
                       &noise, pixels.max_residual * pixels.max_residual},
@@ -200,7 +201,7 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
     }
   });
   BorderMemory& memory = border_memory_.front();
-  BorderEdges edges(image, map, stride, probe, planes_.data(), rays, memory);
+  BorderEdges edges(image, map, steps, probe, planes_.data(), rays, memory);
   for (int sample_row = 1; sample_row < sample_rows; ++sample_row) {
     if (begins_part_[static_cast<std::size_t>(sample_row)] == 0) continue;
     edges.askAbove(sample_row);

@@ -24,15 +24,16 @@ struct BorderMemory {
   std::vector<long> pixels;  ///< that have got each label from this thread, less those that have lost it
 };
 
-/// A sample stands for the block of pixels around it: stride x stride, more at the right and lower edge. Its pixels
+/// A sample stands for the block of pixels around it, more at the right and lower edge. Its pixels
 /// that lie on the sample's plane take its label; then those of blocks that border on another label compare their own
 /// with the blocks that they face, by the rule of S5. Nothing depends on the order of the pixels. Keeps its memory.
 class FullResolution {
  public:
-  /// `map` has the labels of image.sample(stride); `labels` receives those of the image, row-major. sigma_w is that of
+  /// `map` has the labels of a grid of these steps; `labels` receives those of the image, row-major. sigma_w is that of
   /// `noise`.
-  void label(const InverseDepthImage& image, const InverseDepthNoise& noise, const RegionMap& map, int stride,
-             const InverseDepthParameters::Refinement& rule, int threads, std::vector<std::int32_t>& labels);
+  void label(const InverseDepthImage& image, const InverseDepthNoise& noise, const RegionMap& map,
+             const GridSteps& steps, const InverseDepthParameters::Refinement& rule, int threads,
+             std::vector<std::int32_t>& labels);
 
   /// How many pixels have each label; meaningless for 0.
   const std::vector<long>& pixelCounts() const { return border_memory_.front().pixels; }

@@ -125,6 +125,7 @@ void InverseDepthImage::readScan(const DepthFrame& frame) {
 }
 
 double InverseDepthImage::placeVariance() const {
+  if (place_of_pixel > 0.0) return place_of_pixel + place_beside;
   const double height_of_pixel = pixelPitch(along);
   const double width_of_pixel = planar_rows ? pixelPitch(across) : height_of_pixel;
   return (width_of_pixel * width_of_pixel + height_of_pixel * height_of_pixel) / 24.0;
@@ -162,6 +163,7 @@ void sampleCoordinates(const std::vector<double>& from, int count, int stride, s
 void InverseDepthImage::sample(const InverseDepthImage& image, int stride, int threads) {
   width = sampleCount(image.width, stride);
   height = sampleCount(image.height, stride);
+  steps = stride;
   planar_rows = image.planar_rows;
   closes_round = image.closes_round;
   sampleCoordinates(image.across, width, stride, across);

@@ -9,6 +9,7 @@
 
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/grid_steps.h"
 #include "inverse_depth/perspective_points.h"
 
 namespace epcc {
@@ -46,6 +47,10 @@ struct InverseDepthImage {
   /// Per row: measured inverse depth = w * measured_scale; 1 for perspective frames, cos(elevation) for scans.
   std::vector<double> measured_scale;
   InverseDepthNoise noise;
+  GridSteps steps;  ///< pixels of the frame that one of this image stands for
+  /// Of an image of ScatteredPixels: the place variance of a pixel of its frame, and what its samples lie beside their
+  /// rows and columns.
+  double place_of_pixel = 0.0, place_beside = 0.0;
 
   Eigen::Vector3d ray(int row, int column) const {
     return {across[static_cast<std::size_t>(column)], along[static_cast<std::size_t>(row)],

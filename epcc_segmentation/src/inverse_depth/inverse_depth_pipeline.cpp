@@ -26,31 +26,23 @@ void InverseDepthPipeline::configure(const Parameters& parameters, const SensorM
   sensor_ = sensor;
 }
 
-namespace {
-
-double validShare(const InverseDepthImage& image) {
-  const auto valid = std::count_if(image.w.begin(), image.w.end(), [](float w) { return w > 0.0f; });
-  return static_cast<double>(valid) / static_cast<double>(image.w.size());
-}
-
-/// Pixels are empty in a pattern that the grid falls into: every other row or column, a checkerboard.
-bool gridMissesPixels(const InverseDepthImage& samples, const InverseDepthImage& image) {
-  constexpr double kSparse = 0.35, kMissed = 1.5;
-  const double share = validShare(samples);
-  return share < kSparse && validShare(image) > kMissed * share;
-}
-
-}  // namespace
-
-void InverseDepthPipeline::begin(InverseDepthImage& image) {
-  const int longer_side = longerSide(image.width, image.height);
-  stride_ = strideFor(longer_side, parameters_.inverse_depth.stride);
-  if (stride_ > 1) samples_.sample(image, stride_, parameters_.threads);
-  if (stride_ > 1 && parameters_.inverse_depth.stride == 0 && gridMissesPixels(samples_, image)) stride_ = 1;
-  grid_parameters_ = onGrid(parameters_.inverse_depth, longer_side, stride_);
-  grid_sensor_ = onGrid(sensor_, stride_);
-  InverseDepthImage& grid = stride_ > 1 ? samples_ : image;
-  grid.weigh(sensor_, image.placeVariance(), parameters_.threads);
+void InverseDepthPipeline::begin(InverseDepthImage& image, ScatteredPixels* scattered) {
+  const int stride = strideFor(longerSide(image.width, image.height), parameters_.inverse_depth.stride);
+  const bool takes_blocks = scattered != nullptr && parameters_.inverse_depth.stride == 0;
+  if (!takes_blocks && stride > 1) samples_.sample(image, stride, parameters_.threads);
+  InverseDepthImage& grid = takes_blocks ? scattered->blocks() : stride > 1 ? samples_ : image;
+  steps_ = takes_blocks ? grid.steps : GridSteps(stride);
+  scattered_ = takes_blocks ? scattered : nullptr;
+  const InverseDepthImage& as_large = takes_blocks ? grid : image;
+  grid_parameters_ = onGrid(parameters_.inverse_depth, longerSide(as_large.width, as_large.height), steps_);
+  if (takes_blocks) {  // some are empty by chance, and end nothing
+    int& gap = grid_parameters_.expert.lines.max_gap_pixels;
+    gap = std::max(gap, std::min(1, parameters_.inverse_depth.expert.lines.max_gap_pixels));
+  }
+  grid_sensor_ = onGrid(sensor_, steps_);
+  pixel_noise_ = InverseDepthNoise::of(sensor_);
+  pixel_noise_.place2 = image.placeVariance();
+  grid.weigh(sensor_, takes_blocks ? grid.placeVariance() : pixel_noise_.place2, parameters_.threads);
   full_image_ = &image;
   image_ = &grid;
   for (DirectionalPlanes& direction : directions_) direction.configure(grid_parameters_, grid_sensor_);
@@ -120,27 +112,31 @@ void InverseDepthPipeline::joinOccluded() {
 }
 
 void InverseDepthPipeline::rejectThin() {
-  epcc::rejectThin(*image_, grid_parameters_, grid_sensor_, stride_, map_, thickness_, parameters_.threads);
+  epcc::rejectThin(*image_, grid_parameters_, grid_sensor_, steps_, map_, thickness_, parameters_.threads);
 }
 
 void InverseDepthPipeline::labelPixels() {
-  if (stride_ == 1) return;
-  full_resolution_.label(*full_image_, samples_.noise, map_, stride_, parameters_.inverse_depth.expert.refinement,
+  if (steps_.isEveryPixel()) return;
+  full_resolution_.label(*full_image_, pixel_noise_, map_, steps_, parameters_.inverse_depth.expert.refinement,
                          parameters_.threads, pixel_labels_);
 }
 
 FitSamples InverseDepthPipeline::fitSamples() const {
-  if (sensor_.correlationLength() < stride_) return FitSamples();
-  return {stride_, stride_ / 2};
+  if (scattered_ != nullptr || sensor_.correlationLength() < steps_.across) return FitSamples();
+  return {steps_.across, steps_.across / 2};
 }
 
 void InverseDepthPipeline::listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,
                                         std::vector<LineSegment>& segments) const {
   const auto width = static_cast<std::size_t>(image_->width);
+  const std::int32_t* pixels = scattered_ != nullptr ? scattered_->samplePixels().data() : nullptr;
   const auto numbers = [this](std::size_t direction) { return directions_[direction].lines().segmentOf().data(); };
-  if (directions_[0].active()) appendSegments(frame, sensor_, {numbers(0), 1, width, stride_}, labels, segments);
+  if (directions_[0].active())
+    appendSegments(frame, sensor_, {numbers(0), 1, width, steps_, pixels, frame.width(), 1}, labels, segments);
   if (directions_[1].active())
-    appendSegments(frame.transposed(), sensor_, {numbers(1), width, 1, stride_}, labels, segments);
+    appendSegments(frame.transposed(), sensor_,
+                   {numbers(1), width, 1, GridSteps(steps_.along, steps_.across), pixels, 1, frame.width()}, labels,
+                   segments);
 }
 
 }  // namespace epcc

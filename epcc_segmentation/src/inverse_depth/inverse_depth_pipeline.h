@@ -19,6 +19,7 @@
 #include "inverse_depth/region_contacts.h"
 #include "inverse_depth/region_map.h"
 #include "inverse_depth/region_merging.h"
+#include "inverse_depth/scattered_pixels.h"
 #include "inverse_depth/thickness.h"
 #include "plane_fit_samples.h"
 
@@ -32,8 +33,8 @@ class InverseDepthPipeline {
   void configure(const Parameters& parameters, const SensorModel& sensor);
 
   /// Takes an image that was read; it must outlive the frame's steps. S1 to S9 work on a grid of its samples, or on the
-  /// image itself, which is then weighed by the sensor model.
-  void begin(InverseDepthImage& image);
+  /// image itself, which is then weighed by the sensor model; or on the blocks of a frame of scattered pixels.
+  void begin(InverseDepthImage& image, ScatteredPixels* scattered = nullptr);
   void growLines();         ///< S1
   void growPlanes();        ///< S2
   void joinDirections();    ///< S3
@@ -45,11 +46,13 @@ class InverseDepthPipeline {
   void labelPixels();       ///< from the samples to all pixels
 
   /// Row-major labels, 0 or index into the regions + 1; some regions may be empty. They are the caller's to take away.
-  std::vector<std::int32_t>& labels() { return stride_ > 1 ? pixel_labels_ : map_.labels; }
+  std::vector<std::int32_t>& labels() { return steps_.isEveryPixel() ? map_.labels : pixel_labels_; }
   /// The pixels that tell where the planes lie: the samples, if the error of the others is no other.
   FitSamples fitSamples() const;
   /// How many pixels have the labels 1 .. labelCount(); null if they were not counted.
-  const long* pixelCounts() const { return stride_ > 1 ? full_resolution_.pixelCounts().data() + 1 : nullptr; }
+  const long* pixelCounts() const {
+    return steps_.isEveryPixel() ? nullptr : full_resolution_.pixelCounts().data() + 1;
+  }
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
   /// How likely each of them is a surface.
   const double* confidence() const { return map_.confidence.data(); }
@@ -61,7 +64,9 @@ class InverseDepthPipeline {
  private:
   Parameters parameters_;
   SensorModel sensor_;
-  int stride_ = 1;
+  GridSteps steps_;
+  const ScatteredPixels* scattered_ = nullptr;  // if its blocks are the grid
+  InverseDepthNoise pixel_noise_;
   InverseDepthParameters grid_parameters_;  // in samples
   SensorModel grid_sensor_;
   InverseDepthImage samples_;

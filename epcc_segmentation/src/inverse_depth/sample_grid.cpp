@@ -31,12 +31,12 @@ int strideFor(int longer_side, int stride) {
   return std::clamp(static_cast<int>(std::lround(longer_side / kPixelsPerStride)), 1, kMaxDefaultStride);
 }
 
-InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int longer_side, int stride) {
+InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int longer_side, const GridSteps& steps) {
   InverseDepthParameters grid = parameters;
   const double shortening = std::clamp(kLongerSideOfPixels / longer_side, 1.0, kMaxShortening);
-  const double scale = std::max(static_cast<double>(stride), shortening);
+  const double scale = std::max(steps.side(), shortening);
   const double area = scale * scale;
-  grid.min_points = nearest(parameters.min_points, stride * stride, 1);
+  grid.min_points = nearest(parameters.min_points, steps.area(), 1);
   InverseDepthParameters::Expert& expert = grid.expert;
   expert.lines.min_samples = nearest(expert.lines.min_samples, scale, 3);
   // Rounded down: a line that reached farther than before would run across grooves.
@@ -46,15 +46,15 @@ InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int long
   expert.merging.min_bridge_pixels = nearest(expert.merging.min_bridge_pixels, scale, 1);
   expert.merging.min_contacts = nearest(expert.merging.min_contacts, scale, 1);
   // How far borders fray is a matter of the error, not of the faces.
-  expert.refinement.crease_vote_pixels = nearest(expert.refinement.crease_vote_pixels, stride, 1);
+  expert.refinement.crease_vote_pixels = nearest(expert.refinement.crease_vote_pixels, steps.side(), 1);
   expert.refinement.crease_min_votes =
-      std::min(expert.refinement.crease_min_votes, nearest(expert.refinement.crease_min_votes, stride, 2));
+      std::min(expert.refinement.crease_min_votes, nearest(expert.refinement.crease_min_votes, steps.side(), 2));
   return grid;
 }
 
 // A blotch smaller than the grid leaves its samples independent: SensorModel sees to it.
-SensorModel onGrid(const SensorModel& sensor, int stride) {
-  return sensor.withCorrelationLength(sensor.correlationLength() / stride);
+SensorModel onGrid(const SensorModel& sensor, const GridSteps& steps) {
+  return sensor.withCorrelationLength(sensor.correlationLength() / steps.side());
 }
 
 }  // namespace epcc

@@ -4,6 +4,7 @@
 
 #include "epcc_segmentation/inverse_depth_parameters.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/grid_steps.h"
 
 namespace epcc {
 
@@ -18,8 +19,8 @@ int strideFor(int longer_side, int stride);
 /// Parameters in samples of the grid, from those in pixels. What counts independent samples, ratios or sigma stays. The
 /// expert's lengths are pixels of an image whose longer side is 640: in a smaller one, where the same face is fewer
 /// pixels wide, they are divided by up to four. min_points is the user's and stays what it says.
-InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int longer_side, int stride);
+InverseDepthParameters onGrid(const InverseDepthParameters& parameters, int longer_side, const GridSteps& steps);
 /// The sensor's error with its correlation length in samples.
-SensorModel onGrid(const SensorModel& sensor, int stride);
+SensorModel onGrid(const SensorModel& sensor, const GridSteps& steps);
 
 }  // namespace epcc

@@ -64,16 +64,54 @@ struct GatheredSegment {
   }
 };
 
+/// A sample of a scan line of the grid: the number of its segment, -1 none, and the column of its pixel.
+struct GridSample {
+  ScanSample sample;
+  std::int32_t segment;
+  int column;
+};
+
+/// The samples of a column of the grid, which are those of one column of the view, or where pixels are scattered lie
+/// in a few adjacent ones.
+void readGridColumn(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& numbers, int grid_column,
+                    ScanLine& line, std::vector<GridSample>& samples) {
+  samples.clear();
+  const GridSteps& steps = numbers.steps;
+  if (numbers.pixels == nullptr) {
+    const int column = std::min(grid_column * steps.across + steps.across / 2, view.width() - 1);
+    readScanLine(view, sensor, column, line);
+    for (const ScanSample& sample : line.samples) {
+      const int grid_row = sampleAt(sample.position, steps.along, view.height());
+      if (grid_row >= 0) samples.push_back({sample, numbers.at(grid_row, grid_column), column});
+    }
+    return;
+  }
+  const int rows = sampleCount(view.height(), steps.along);
+  const int end = std::min((grid_column + 1) * steps.across, view.width());
+  for (int column = grid_column * steps.across; column < end; ++column) {
+    readScanLine(view, sensor, column, line);
+    for (const ScanSample& sample : line.samples) {
+      const int grid_row = std::min(sample.position / steps.along, rows - 1);
+      const int pixel = sample.position * numbers.next_pixel_row + column * numbers.next_pixel_column;
+      if (numbers.pixels[numbers.place(grid_row, grid_column)] == pixel)
+        samples.push_back({sample, numbers.at(grid_row, grid_column), column});
+    }
+  }
+  std::sort(samples.begin(), samples.end(),
+            [](const GridSample& a, const GridSample& b) { return a.sample.position < b.sample.position; });
+}
+
 }  // namespace
 
 void appendSegments(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& segment_of,
                     const std::vector<std::int32_t>& labels, std::vector<LineSegment>& segments) {
   ScanLine line;
-  for (int column = 0; column < view.width(); ++column) {
-    const int grid_column = sampleAt(column, segment_of.stride, view.width());
-    if (grid_column < 0) continue;
-    readScanLine(view, sensor, column, line);
+  std::vector<GridSample> samples;
+  const int columns = sampleCount(view.width(), segment_of.steps.across);
+  for (int grid_column = 0; grid_column < columns; ++grid_column) {
+    readGridColumn(view, sensor, segment_of, grid_column, line, samples);
     GatheredSegment segment;
+    int column = 0;  // of its first sample
     const auto finish = [&] {
       if (segment.first == nullptr) return;
       segments.push_back(lineSegmentOf(view, column, segment.lineIn(line)));
@@ -81,13 +119,14 @@ void appendSegments(const DepthFrame& view, const SensorModel& sensor, const Seg
       segment = GatheredSegment();
     };
     std::int32_t current = -1;  // the samples of a segment follow each other, but for rejected ones between them
-    for (const ScanSample& sample : line.samples) {
-      const int grid_row = sampleAt(sample.position, segment_of.stride, view.height());
-      const std::int32_t id = grid_row < 0 ? -1 : segment_of.at(grid_row, grid_column);
-      if (id < 0) continue;
-      if (id != current) finish();
-      current = id;
-      segment.add(sample, labels[view.index(sample.position, column)]);
+    for (const GridSample& sample : samples) {
+      if (sample.segment < 0) continue;
+      if (sample.segment != current) {
+        finish();
+        column = sample.column;
+      }
+      current = sample.segment;
+      segment.add(sample.sample, labels[view.index(sample.sample.position, sample.column)]);
     }
     finish();
   }

@@ -9,6 +9,7 @@
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/line_segment.h"
 #include "epcc_segmentation/sensor_model.h"
+#include "inverse_depth/grid_steps.h"
 
 namespace epcc {
 
@@ -16,11 +17,16 @@ namespace epcc {
 struct SegmentNumbers {
   const std::int32_t* numbers = nullptr;
   std::size_t next_column = 0, next_row = 0;  ///< steps
-  int stride = 1;                             ///< of the samples
+  GridSteps steps = {};                       ///< of the samples, in the view
+  /// Of each sample the pixel that it is, next_pixel_row * row + next_pixel_column * column of the view; null: the grid
+  /// says it.
+  const std::int32_t* pixels = nullptr;
+  int next_pixel_row = 0, next_pixel_column = 0;
 
   /// Of a sample, by its place in the grid.
-  std::int32_t at(int row, int column) const {
-    return numbers[static_cast<std::size_t>(row) * next_row + static_cast<std::size_t>(column) * next_column];
+  std::int32_t at(int row, int column) const { return numbers[place(row, column)]; }
+  std::size_t place(int row, int column) const {
+    return static_cast<std::size_t>(row) * next_row + static_cast<std::size_t>(column) * next_column;
   }
 };
 

@@ -83,17 +83,17 @@ double confidence(double thickness, double needed) {
 }  // namespace
 
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                int stride, RegionMap& map, ThicknessMemory& memory, int threads) {
+                const GridSteps& steps, RegionMap& map, ThicknessMemory& memory, int threads) {
   const std::vector<double>& border = borderLengths(image, map, memory, threads);
   // A finer image of the same scene has as many pixels more in its thickness.
-  const double unit = stride * std::max(image.width, image.height) / kColumnsOfUnit;
-  const double pixels_per_sample = std::min(sensor.pixelsPerSample(), kMaxPixelsPerSample / (stride * stride));
+  const double unit = std::max(steps.across * image.width, steps.along * image.height) / kColumnsOfUnit;
+  const double pixels_per_sample = std::min(sensor.pixelsPerSample(), kMaxPixelsPerSample / steps.area());
   const auto confidenceOf = [&](const PlaneMoments& region, double length) {
     const RegionPlane plane(region);
     const double chi2 = std::max(kMinChi2, plane.rss / (region.n * plane.slope_factor));
     const double samples = region.n / pixels_per_sample;
     const double needed = kThickness * std::pow(chi2, kPower) * std::pow(samples / kSamplesOfUnit, -kPower);
-    return confidence(stride * region.n, unit * length * needed);
+    return confidence(steps.side() * region.n, unit * length * needed);
   };
   memory.kept.clear();
   for (std::size_t k = 0; k < map.regions.size(); ++k) {

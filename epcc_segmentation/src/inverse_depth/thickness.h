@@ -33,9 +33,9 @@ struct ThicknessMemory {
 ///   s = t / (4 chi^1.2 (n / (30 L))^-0.6),
 /// in pixels of an image 640 wide, L the pixels that an independent sample covers, at most 100; the confidence
 ///   0.4 s^1.5 / (0.4 s^1.5 + 1).
-/// `stride` is that of the grid of `image`, `sensor` in pixels of it. What is left is numbered anew, the largest
+/// `steps` are those of the grid of `image`, `sensor` in pixels of it. What is left is numbered anew, the largest
 /// first: the planes of the result are, too, and few pixels have to change their number once more.
 void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& parameters, const SensorModel& sensor,
-                int stride, RegionMap& map, ThicknessMemory& memory, int threads = 1);
+                const GridSteps& steps, RegionMap& map, ThicknessMemory& memory, int threads = 1);
 
 }  // namespace epcc

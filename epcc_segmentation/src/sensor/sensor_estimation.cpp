@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/sensor_cloud.h"
+#include "inverse_depth/scattered_pixels.h"
 #include "sensor/image_estimation.h"
 
 namespace epcc {
@@ -66,7 +67,8 @@ SensorEstimate estimateSensor(const DepthFrame& frame) {
   InverseDepthImage image;
   SensorCloud cloud;
   if (!frame.empty()) image.read(inSensorFrame(frame, cloud));
-  return ImageEstimation().whole(image);
+  ScatteredPixels scattered;
+  return ImageEstimation().whole(scattered.denseForm(image));
 }
 
 ImageEstimation::ImageEstimation() : fitter_(kMaxBlocks) {
@@ -134,6 +136,9 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     result.b = fit.b;
     sigma = {fit.a, fit.b, true};
   }
+  const double pixels = image.steps.side();
+  for (double* length : {&result.correlation_length, &result.blotch_length, &result.effective_length})
+    *length *= pixels;
   result.blocks = bins_.blockCount();
   return result;
 }

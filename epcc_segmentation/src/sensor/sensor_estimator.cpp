@@ -5,6 +5,7 @@
 
 #include "epcc_segmentation/sensor_estimation.h"
 #include "geometry/sensor_cloud.h"
+#include "inverse_depth/scattered_pixels.h"
 #include "sensor/image_estimation.h"
 #include "sensor/quantile.h"
 
@@ -32,6 +33,7 @@ struct SensorEstimator::Stream {
   int height = 0;
   SensorCloud cloud;
   InverseDepthImage image;  // of frames that nobody has read
+  ScatteredPixels scattered;
   ImageEstimation estimation;
   std::size_t looked_at = 0;
   // the round
@@ -133,7 +135,7 @@ SensorEstimator::~SensorEstimator() = default;
 SensorEstimate SensorEstimator::update(const DepthFrame& frame) {
   if (frame.empty()) return stream_->summary;  // nothing to learn
   stream_->image.read(inSensorFrame(frame, stream_->cloud));
-  return update(stream_->image);
+  return update(stream_->scattered.denseForm(stream_->image));
 }
 
 SensorEstimate SensorEstimator::update(const InverseDepthImage& image) {

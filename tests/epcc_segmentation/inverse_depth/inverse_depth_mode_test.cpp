@@ -161,6 +161,37 @@ TEST(InverseDepthMode, PatternsOfEmptyPixelsThatTheGridFallsIntoHideNothing) {
   }
 }
 
+TEST(InverseDepthMode, FewPixelsInAPatternOrAtRandomAreEnough) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480));
+  epcc::test::addNoise(room, kWhite, 5);
+  std::mt19937 random(3);
+  const auto keep = [&](int kind, int row, int column) {
+    if (kind == 0) return row % 4 == 1;                      // every fourth ring
+    if (kind == 1) return row % 6 == 2 + (column / 40 % 2);  // rings of a scanner in a camera's image
+    if (kind == 2) return row % 2 == 0 && column % 2 == 0;   // a quarter
+    return random() % 100 < (kind == 3 ? 25u : 10u);
+  };
+  for (const int kind : {0, 1, 2, 3, 4}) {
+    auto sparse = room;
+    std::size_t kept = 0, labelled = 0;
+    for (int row = 0; row < 480; ++row)
+      for (int column = 0; column < 640; ++column)
+        if (keep(kind, row, column))
+          ++kept;
+        else
+          sparse.depth[static_cast<std::size_t>(row * 640 + column)] = 0.0f;
+    for (const bool measured : {false, true}) {
+      PlaneExtractor extractor(Parameters(), measured ? std::nullopt : std::optional<SensorModel>(kWhite));
+      PlaneSegmentation result;
+      ASSERT_TRUE(extractor.extract(sparse.frame(), result));
+      EXPECT_EQ(result.planes.size(), 3u) << kind << measured;
+      labelled = 0;
+      for (const auto& plane : result.planes) labelled += plane.pixel_count;
+      EXPECT_GT(labelled, 0.9 * static_cast<double>(kept)) << kind << measured;
+    }
+  }
+}
+
 TEST(InverseDepthMode, SphericalScansTakeTheirColumns) {
   std::vector<float> xyz;
   for (int row = 0; row < 120; ++row)
