@@ -15,6 +15,7 @@
 #include "inverse_depth/scattered_pixels.h"
 #include "metric/metric_pipeline.h"
 #include "plane_fit_samples.h"
+#include "sensor/frame_doubts.h"
 #include "sensor/sensor_adaptation.h"
 
 namespace epcc {
@@ -138,7 +139,7 @@ void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmenta
 int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& result) {
   result.labels.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
   if (measures_sensor_)
-    measureSensor(frame);
+    measureSensor(frame, result.doubts);
   else
     sensor_ = given_sensor_;
   const DepthFrame view = scanView(frame, parameters_.scan);
@@ -160,8 +161,9 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   const int stride = strideFor(longerSide(frame.width(), frame.height()), parameters_.inverse_depth.stride);
   workspace_->image.read(frame, parameters_.threads, stride);
   ScatteredPixels* const scattered = workspace_->scattered.find(workspace_->image) ? &workspace_->scattered : nullptr;
+  if (scattered != nullptr) result.doubts.scattered_share = scattered->validShare();
   times_.read = watch.lap();
-  adaptSensor(scattered != nullptr ? scattered->blocks() : workspace_->image);  // S0
+  adaptSensor(scattered != nullptr ? scattered->blocks() : workspace_->image, result.doubts);  // S0
   times_.sensor = watch.lap();
   InverseDepthPipeline& pipeline = workspace_->inverse_depth;
   pipeline.configure(parameters_, sensor_);
@@ -187,13 +189,15 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   return pipeline.labelCount();
 }
 
-void PlaneExtractor::adaptSensor(const InverseDepthImage& image) {
+void PlaneExtractor::adaptSensor(const InverseDepthImage& image, Doubts& doubts) {
   sensor_ = given_sensor_;
+  doubts.jump_share = image.place_of_pixel > 0.0 ? 0.0 : jumpShare(image);
   if (!measures_sensor_ && !parameters_.inverse_depth.adapt_sensor) return;
-  if (measures_sensor_)
-    sensor_ = workspace_->estimator.update(image).model();
-  else
-    sensor_ = adapted(given_sensor_, workspace_->estimator.update(image), image, workspace_->ratios);
+  const SensorEstimate measured = workspace_->estimator.update(image);
+  sensor_ = measures_sensor_ ? measured.model() : adapted(given_sensor_, measured, image, workspace_->ratios);
+  const bool may_be_generic = measures_sensor_ && measured.blocks == 0;
+  doubts.sensor_is_generic = may_be_generic && workspace_->scattered.validShare() > 0.0;
+  doubts.error_share = errorShare(image, measured, workspace_->ratios);
 }
 
 void PlaneExtractor::listSegments(const DepthFrame& frame, PlaneSegmentation& result) const {
@@ -204,11 +208,13 @@ void PlaneExtractor::listSegments(const DepthFrame& frame, PlaneSegmentation& re
 }
 
 // The paper mode has no use for the inverse depths but this.
-void PlaneExtractor::measureSensor(const DepthFrame& frame) {
+void PlaneExtractor::measureSensor(const DepthFrame& frame, Doubts& doubts) {
   StopWatch watch;
   workspace_->image.read(frame, parameters_.threads);
   times_.read = watch.lap();
-  sensor_ = workspace_->estimator.update(workspace_->scattered.denseForm(workspace_->image)).model();
+  const bool is_scattered = workspace_->scattered.find(workspace_->image);
+  if (is_scattered) doubts.scattered_share = workspace_->scattered.validShare();
+  adaptSensor(is_scattered ? workspace_->scattered.blocks() : workspace_->image, doubts);
   times_.sensor = watch.lap();
 }
 
@@ -217,6 +223,7 @@ bool PlaneExtractor::check(const DepthFrame& frame, PlaneSegmentation& result) {
   result.height = std::max(0, frame.height());
   result.planes.clear();
   result.segments.clear();
+  result.doubts = Doubts();
   times_ = StageTimes();
   status_ = Status::Ok;
   error_ = parameters_.validate();

@@ -45,14 +45,15 @@ FrameSensor frameSensor(const std::string& chosen, const std::optional<std::stri
                         const std::string& camera_file) {
   const std::string& text = !chosen.empty() ? chosen : of_frame.value_or(kAuto);
   if (text == kAuto) {
-    const SensorModel model = estimateSensor(frame).model();
-    return {model, "auto (" + model.description() + ")", true};
+    const SensorEstimate estimate = estimateSensor(frame);
+    const SensorModel model = estimate.model();
+    return {model, "auto (" + model.description() + ")", true, Doubts::of(frame, estimate)};
   }
   std::string why;
   const bool is_file = !chosen.empty() && isFile(text);
   const std::optional<SensorModel> model = SensorModel::parse(is_file ? noiseOfFile(text) : text, &why);
   if (!model) throw InputError(is_file ? text : camera_file, "noise", why);
-  return {*model, text, false};
+  return {*model, text, false, {}};
 }
 
 }  // namespace epcc

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/doubts.h"
 #include "epcc_segmentation/sensor_model.h"
 
 namespace epcc {
@@ -15,6 +16,7 @@ struct FrameSensor {
   SensorModel model;
   std::string name;
   bool is_measured = false;  ///< on the frame: nothing is left to adapt
+  Doubts doubts;             ///< of a measured one
 };
 
 /// Empty if `text` is "auto", a FILE.json with a key "noise", as epcc_noise writes it, or something SensorModel::parse

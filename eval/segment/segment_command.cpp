@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <iterator>
 #include <new>
 #include <ostream>
 #include <sstream>
@@ -13,7 +12,6 @@
 
 #include "datasets/support/input_error.h"
 #include "datasets/support/output_folder.h"
-#include "datasets/support/quantile.h"
 #include "epcc_segmentation/plane_extractor.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
@@ -61,17 +59,6 @@ std::string heading(const SegmentInput& input, const LabelledFrame& frame, const
   return input.path + text + sensor.name + '\n';
 }
 
-constexpr int kDoubtfulPercent = 10;  // sensors have a few
-
-/// Of the median depth.
-int errorPercent(const DepthImage& depth, const SensorModel& sensor) {
-  std::vector<float> valid;
-  std::copy_if(depth.data.begin(), depth.data.end(), std::back_inserter(valid), [](float z) { return z > 0.0F; });
-  if (valid.empty()) return 0;
-  const double z = static_cast<double>(quantile(valid, 0.5));
-  return static_cast<int>(100.0 * sensor.sigmaZ(z) / z);
-}
-
 std::string timingLine(const StepTimes& steps, const StageTimes& stages) {
   char text[240];
   std::snprintf(text, sizeof text,
@@ -100,17 +87,14 @@ std::string segmentOne(const SegmentOptions& options, const SegmentInput& input,
   const std::string& told_by = input.camera_file.empty() ? input.path : input.camera_file;
   const FrameSensor sensor = frameSensor(options.noise, frame.camera.noise, view, told_by);
   times.sensor = lapMs(start);
-  const int percent = sensor.is_measured ? errorPercent(frame.depth, sensor.model) : 0;
-  if (percent >= kDoubtfulPercent)
-    notes << kProgram << ": " << input.path << ": noise: the measured error is " << percent
-          << " % of the depth, more than that of a sensor: is this a depth image, and what is its unit?\n";
-
   Parameters parameters = options.parameters;
   if (sensor.is_measured) parameters.inverse_depth.adapt_sensor = false;
   extractor.setParameters(parameters);
   extractor.setSensor(sensor.model);
   PlaneSegmentation result;
   if (!extractor.extract(view, result)) throw InputError(input.path, "frame", extractor.error());
+  const Doubts& doubts = sensor.is_measured ? sensor.doubts : result.doubts;
+  if (doubts.any()) notes << kProgram << ": " << input.path << ": " << doubts.inWords() << '\n';
 
   start = Clock::now();
   writeOutputs(outputPaths(options, input), frame, result);

@@ -15,8 +15,6 @@
 
 namespace epcc {
 
-struct InverseDepthImage;  // internal: a frame that has been read
-
 /// Wall-clock seconds of the last extraction, by stage.
 struct StageTimes {
   double read = 0.0;     ///< depth -> inverse depth (inverse-depth mode, or where the sensor was measured)
@@ -73,8 +71,8 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   void extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result);
   int extractMetric(const DepthFrame& frame, PlaneSegmentation& result);
   int extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result);
-  void adaptSensor(const InverseDepthImage& image);
-  void measureSensor(const DepthFrame& frame);
+  void adaptSensor(const InverseDepthImage& image, Doubts& doubts);
+  void measureSensor(const DepthFrame& frame, Doubts& doubts);
   void listSegments(const DepthFrame& frame, PlaneSegmentation& result) const;
 
   Parameters parameters_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "epcc_segmentation/doubts.h"
 #include "epcc_segmentation/line_segment.h"
 #include "epcc_segmentation/vectors.h"
 
@@ -50,6 +51,8 @@ struct PlaneSegmentation {
   /// of the rows; scan line by scan line, and in order along each. The inverse-depth mode has scan lines at every
   /// `inverse_depth.stride`-th column and row, of an image 640 pixels wide columns and rows 1, 3, 5, ...
   std::vector<LineSegment> segments;
+  /// What makes the planes doubtful. The paper mode with a given sensor, which measures nothing, has none.
+  Doubts doubts;
 };
 
 }  // namespace epcc

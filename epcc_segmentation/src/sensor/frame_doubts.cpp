@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The error at the median of some depths; a sentence for each doubt.
+#include "sensor/frame_doubts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+
+#include "geometry/sensor_cloud.h"
+#include "sensor/quantile.h"
+
+namespace epcc {
+
+namespace {
+
+constexpr double kDoubtfulError = 0.1;
+constexpr double kManyJumps = 0.1;
+constexpr float kJump = 1.1f;
+constexpr int kRowStep = 13;
+constexpr int kEnoughPairs = 100;
+constexpr double kFewPixels = 0.05;
+constexpr std::size_t kDepths = 500;  // sampled in an image, at least
+
+}  // namespace
+
+double errorShare(const InverseDepthImage& image, const SensorEstimate& measured, std::vector<double>& depths) {
+  if (measured.blocks == 0) return 0.0;
+  const std::size_t step = std::max<std::size_t>(1, image.w.size() / kDepths);
+  depths.clear();
+  depths.reserve(image.w.size() / step + 1);
+  for (std::size_t i = step / 2; i < image.w.size(); i += step)
+    if (image.w[i] > 0.0f) depths.push_back(1.0 / static_cast<double>(image.w[i]));
+  if (depths.empty()) return 0.0;
+  const double depth = quantile(depths, 0.5);
+  return measured.model().sigmaZ(depth) / depth;
+}
+
+double jumpShare(const InverseDepthImage& image) {
+  int pairs = 0, jumps = 0;
+  for (int row = kRowStep / 2; row < image.height; row += kRowStep) {
+    const float* w = image.w.data() + image.index(row, 0);
+    for (int i = 0; i + 1 < image.width; ++i) {
+      const float least = std::min(w[i], w[i + 1]), most = std::max(w[i], w[i + 1]);
+      pairs += (least > 0.0f) & (most > least) ? 1 : 0;
+      jumps += (least > 0.0f) & (most > kJump * least) ? 1 : 0;
+    }
+  }
+  return pairs >= kEnoughPairs ? static_cast<double>(jumps) / pairs : 0.0;
+}
+
+bool Doubts::any() const {
+  return sensor_is_generic || jump_share >= kManyJumps || error_share >= kDoubtfulError || scattered_share < kFewPixels;
+}
+
+std::string Doubts::inWords() const {
+  char text[320];
+  std::string line;
+  const auto say = [&line](const char* doubt) { line += (line.empty() ? "" : "; ") + std::string(doubt); };
+  if (scattered_share < kFewPixels) {
+    std::snprintf(text, sizeof text, "only %.2g %% of the pixels are measured: small planes cannot be found",
+                  100.0 * scattered_share);
+    say(text);
+  }
+  if (sensor_is_generic)
+    say("noise: the sensor's error could not be measured, for no part of the image is flat, and a generic model is "
+        "used: is this a depth image, are the bytes of its values in the right order? If so, give a sensor model");
+  if (error_share >= kDoubtfulError) {
+    std::snprintf(text, sizeof text,
+                  "noise: the measured error is %.0f %% of the depth, more than that of a sensor: is this a depth "
+                  "image, are the bytes of its values in the right order, and what is its unit?",
+                  100.0 * error_share);
+    say(text);
+  }
+  if (jump_share >= kManyJumps && error_share < kDoubtfulError) {
+    std::snprintf(text, sizeof text,
+                  "depth: %.0f %% of the steps between neighbouring pixels are over a tenth of the depth, as in noise: "
+                  "is this a depth image, and "
+                  "are the bytes of its values in the right order?",
+                  100.0 * jump_share);
+    say(text);
+  }
+  return line;
+}
+
+Doubts Doubts::of(const DepthFrame& any_frame, const SensorEstimate& measured) {
+  Doubts doubts;
+  if (any_frame.empty()) return doubts;
+  SensorCloud cloud;
+  InverseDepthImage image;
+  ScatteredPixels scattered;
+  image.read(inSensorFrame(any_frame, cloud));
+  if (std::none_of(image.w.begin(), image.w.end(), [](float w) { return w > 0.0f; })) return doubts;
+  const bool is_scattered = scattered.find(image);
+  std::vector<double> depths;
+  doubts.sensor_is_generic = measured.blocks == 0;
+  doubts.error_share = errorShare(is_scattered ? scattered.blocks() : image, measured, depths);
+  doubts.jump_share = is_scattered ? 0.0 : jumpShare(image);
+  if (is_scattered) doubts.scattered_share = scattered.validShare();
+  return doubts;
+}
+
+}  // namespace epcc

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The doubts about a frame that has been read.
+#pragma once
+
+#include <vector>
+
+#include "epcc_segmentation/doubts.h"
+#include "epcc_segmentation/sensor_estimation.h"
+#include "inverse_depth/scattered_pixels.h"
+
+namespace epcc {
+
+/// How large the measured error is, as a share of the image's median depth; 0 where nothing was measured. `depths` is
+/// memory.
+double errorShare(const InverseDepthImage& image, const SensorEstimate& measured, std::vector<double>& depths);
+
+/// Of the pairs of valid neighbours in some rows whose depths differ, the share that differs by over a tenth.
+double jumpShare(const InverseDepthImage& image);
+
+}  // namespace epcc
