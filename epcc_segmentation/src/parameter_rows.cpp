@@ -44,7 +44,7 @@ std::vector<ParameterField> generalFields() {
 
 std::vector<ParameterField> inverseDepthFields() {
   return {
-      number(EPCC_FIELD(inverse_depth.min_points), 1, 1e9, "pixels", "Planes with fewer pixels, measured or not where a frame measures few, are rejected (S7)",
+      number(EPCC_FIELD(inverse_depth.min_points), 1, 1e9, "pixels", "Planes with fewer pixels are rejected (S7)",
              "small pieces of clutter are reported",
              "small faces are missing and the sensor is good enough to see them"),
       number(EPCC_FIELD(inverse_depth.min_confidence), 0, 1, "",

@@ -7,7 +7,7 @@ namespace epcc {
 /// Mode::InverseDepth. Lengths in sigma are in standard deviations of the sensor model; "independent samples" are
 /// pixels divided by those that the sensor's correlated error covers (SensorModel::pixelsPerSample()).
 struct InverseDepthParameters {
-  /// Planes with fewer pixels, measured or not where a frame measures few, are rejected (S7). [1, 1e9] pixels, default 60. Raise it if small pieces of clutter are
+  /// Planes with fewer pixels are rejected (S7). [1, 1e9] pixels, default 60. Raise it if small pieces of clutter are
   /// reported; lower it if small faces are missing and the sensor is good enough to see them.
   int min_points = 60;
 
