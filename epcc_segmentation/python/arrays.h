@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// numpy arrays that look into the memory of the library's objects.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace epcc::python {
+
+/// The vector's values as an array of the given shape, without a copy: `owner` holds the vector and lives on with it.
+template <typename T>
+pybind11::array viewOf(const std::vector<T>& values, std::vector<pybind11::ssize_t> shape,
+                       const pybind11::object& owner, const pybind11::dtype& dtype = pybind11::dtype::of<T>()) {
+  static T none;  // an empty vector has no memory, and without memory pybind11 would not look but allocate
+  return pybind11::array(dtype, std::move(shape), {}, values.empty() ? &none : values.data(), owner);
+}
+
+/// "(480, 640, 3)".
+inline std::string shapeText(const pybind11::array& array) {
+  return pybind11::str(array.attr("shape"));
+}
+
+/// A label image of any program, H x W integers, in rows as int32: the same array where it is that already, else a
+/// copy. Throws epcc.InputError for another shape and TypeError for numbers that are no integers.
+pybind11::array_t<std::int32_t> labelImage(const pybind11::array& labels);
+
+}  // namespace epcc::python
