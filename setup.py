@@ -4,6 +4,7 @@ rest. CMAKE_ARGS in the environment are more options for CMake."""
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -36,8 +37,10 @@ class CMakeBuild(build_ext):
             "EPCC_BUILD_TESTS": "OFF",
             "EPCC_WARNINGS_AS_ERRORS": "OFF",
         }
-        configure = ["cmake", "-S", TOP, "-B", build] + [f"-D{name}={value}" for name, value in options.items()]
-        subprocess.run(configure + shlex.split(os.environ.get("CMAKE_ARGS", "")), check=True)
+        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+        definitions = [f"-D{name}={value}" for name, value in options.items()]
+        more = shlex.split(os.environ.get("CMAKE_ARGS", ""))
+        subprocess.run(["cmake", "-S", TOP, "-B", build, *generator, *definitions, *more], check=True)
         jobs = str(self.parallel or os.cpu_count() or 1)
         subprocess.run(["cmake", "--build", build, "--target", "epcc_python", "-j", jobs], check=True)
         subprocess.run(["cmake", "--install", build, "--component", "python", "--prefix", packages], check=True)

@@ -32,19 +32,24 @@ ArrayFrame fromPoints(const py::array& points, const CloudOptions& options, std:
   return cloudFrame(points, foundGeometry(finder, points, options));
 }
 
-/// H x W x 3 float32, NaN where nothing was measured.
-py::array_t<float> pointsOf(const ArrayFrame& owner) {
-  const DepthFrame& frame = owner.frame;
-  py::array_t<float> points(
-      {static_cast<py::ssize_t>(frame.height()), static_cast<py::ssize_t>(frame.width()), static_cast<py::ssize_t>(3)});
-  float* next = points.mutable_data();
-  const py::gil_scoped_release released;
+/// x, y, z of all pixels, NaN where nothing was measured.
+void writePoints(const DepthFrame& frame, float* next) {
   for (int row = 0; row < frame.height(); ++row) {
     for (int column = 0; column < frame.width(); ++column) {
       Eigen::Vector3d point;
       if (!frame.point(row, column, point)) point.setConstant(std::numeric_limits<double>::quiet_NaN());
       for (int i = 0; i < 3; ++i) *next++ = static_cast<float>(point(i));
     }
+  }
+}
+
+py::array_t<float> pointsOf(const ArrayFrame& owner) {
+  const std::vector<py::ssize_t> shape = {owner.frame.height(), owner.frame.width(), 3};
+  py::array_t<float> points(shape);
+  float* memory = points.mutable_data();
+  {
+    const py::gil_scoped_release released;
+    writePoints(owner.frame, memory);
   }
   return points;
 }

@@ -2,10 +2,13 @@
 """Does what a document tells its reader to do, in a folder that holds docs/, with the package installed beside it:
 
     run_document.py DOCUMENT.md --install BUILD_FOLDER --work FOLDER [--path FOLDER]
+                    [--python PYTHON]
 
-A ```cmake block is CMakeLists.txt and a ```cpp block main.cpp, which must build; a block marked ```cpp fragment is no
-whole program. In a ```console block each line after "$ " is run; what the document shows below it is what it must
-print, where a line ... stands for any lines. Programs of the project are found in the folder given by --path."""
+A ```cmake block is CMakeLists.txt and a ```cpp block main.cpp, which must build; a ```python block is main.py, which
+must run, where --python names the interpreter that the module epcc was built for (python3 to the reader). A block
+marked ```cpp fragment or ```python fragment is no whole program. In a ```console block each line after "$ " is run;
+what the document shows below it is what it must print, where a line ... stands for any lines. Programs of the project
+are found in the folder given by --path."""
 import argparse
 import os
 import re
@@ -44,8 +47,8 @@ def shown_problem(shown, printed):
 
 
 class Reader:
-    def __init__(self, work, environment):
-        self.work, self.environment = work, environment
+    def __init__(self, work, environment, has_python=False):
+        self.work, self.environment, self.has_python = work, environment, has_python
 
     def run(self, command, shown=""):
         done = subprocess.run(command, shell=True, executable="/bin/bash", cwd=self.work, env=self.environment,
@@ -65,10 +68,22 @@ class Reader:
                 (self.work / "main.cpp").write_text(block, encoding="utf-8")
                 self.run("cmake -S . -B build -DCMAKE_BUILD_TYPE=Release && cmake --build build")
                 programs += 1
+            elif language == "python" and "fragment" not in words and self.has_python:
+                (self.work / "main.py").write_text(block, encoding="utf-8")
+                self.run("python3 main.py")
+                programs += 1
             elif language == "console":
                 for command, shown in commands(block):
                     self.run(command, shown)
         return programs
+
+
+def python_environment(environment, prefix, python, folder):
+    """What makes `python3` that interpreter and lets it find the installed module."""
+    folder.mkdir()
+    (folder / "python3").symlink_to(python)
+    packages = next(prefix.rglob("epcc/__init__.py")).parent.parent
+    return dict(environment, PYTHONPATH=str(packages), PATH=f"{folder}:{environment['PATH']}")
 
 
 def main():
@@ -77,6 +92,7 @@ def main():
     parser.add_argument("--install", type=Path, required=True)
     parser.add_argument("--work", type=Path, required=True)
     parser.add_argument("--path", default="")
+    parser.add_argument("--python", default="")
     options = parser.parse_args()
     shutil.rmtree(options.work, ignore_errors=True)
     folder = options.work / "reader"
@@ -85,8 +101,10 @@ def main():
     prefix = options.work / "prefix"
     subprocess.run(["cmake", "--install", options.install, "--prefix", prefix], stdout=subprocess.DEVNULL, check=True)
     environment = dict(os.environ, CMAKE_PREFIX_PATH=str(prefix), PATH=f"{options.path}:{os.environ['PATH']}")
-    programs = Reader(folder, environment).follow(options.document.read_text(encoding="utf-8"))
-    print(f"{programs} programs of {options.document.name} built")
+    if options.python:
+        environment = python_environment(environment, prefix, options.python, options.work / "python")
+    programs = Reader(folder, environment, bool(options.python)).follow(options.document.read_text(encoding="utf-8"))
+    print(f"{programs} programs of {options.document.name} built or run")
 
 
 if __name__ == "__main__":

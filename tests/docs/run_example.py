@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs an example and compares its output with the comment at its end: run_example.py SOURCE.cpp PROGRAM [ARG...]"""
+"""Runs an example and compares its output with the comment at its end: run_example.py SOURCE PROGRAM [ARG...]"""
 import subprocess
 import sys
 
@@ -7,9 +7,10 @@ from output_check import difference
 
 
 def promised(source):
+    comment = "#" if source.endswith(".py") else "//"
     lines = open(source, encoding="utf-8").read().splitlines()
-    start = max(i for i, line in enumerate(lines) if line.startswith("// Prints"))
-    return "\n".join(line[len("//   "):] for line in lines[start + 1:])
+    start = max(i for i, line in enumerate(lines) if line.startswith(f"{comment} Prints"))
+    return "\n".join(line[len(f"{comment}   "):] for line in lines[start + 1:])
 
 
 said = promised(sys.argv[1])

@@ -102,7 +102,8 @@ def test_an_extractor_lives_on_after_an_error(camera, depth):
 
 def test_rows_of_a_spherical_scan():
     azimuth, elevation = numpy.meshgrid(numpy.linspace(1.5, -1.5, 200), numpy.linspace(0.3, -0.3, 32))
-    direction = [numpy.cos(elevation) * numpy.cos(azimuth), numpy.cos(elevation) * numpy.sin(azimuth), numpy.sin(elevation)]
+    flat = numpy.cos(elevation)
+    direction = [flat * numpy.cos(azimuth), flat * numpy.sin(azimuth), numpy.sin(elevation)]
     scan = (3.0 * numpy.stack(direction, axis=-1)).astype(numpy.float32)
     frame = epcc.DepthFrame.from_points(scan, epcc.CloudOptions(projection="spherical"))
     assert frame.projection == "spherical"

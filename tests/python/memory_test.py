@@ -32,7 +32,8 @@ def test_any_row_stride(camera, number):
 
 def test_rows_at_odd_bytes(camera):
     image = room_depth(camera)
-    packed = numpy.zeros(240, numpy.dtype({"names": ["row"], "formats": ["(320,)f4"], "offsets": [1], "itemsize": 1283}))
+    record = numpy.dtype({"names": ["row"], "formats": ["(320,)f4"], "offsets": [1], "itemsize": 1283})
+    packed = numpy.zeros(240, record)
     packed["row"] = image
     assert packed["row"].strides[0] == 1283
     assert same(camera, packed["row"], epcc.segment(image, camera))
