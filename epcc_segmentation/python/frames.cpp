@@ -30,6 +30,12 @@ std::string typeName(const py::array& array) {
   return py::str(array.dtype());
 }
 
+/// Of a masked array the library would see what the mask hides.
+void refuseMasked(const py::array& array) {
+  if (py::hasattr(array, "mask"))
+    throwTypeError("a masked array is not looked at: fill it, array.filled(0), or use DepthFrame.masked()");
+}
+
 template <typename T>
 ArrayFrame viewedDepth(const py::array& depth, const PinholeCamera& camera, std::optional<double> depth_scale,
                        const DepthOptions& options) {
@@ -53,6 +59,7 @@ ArrayFrame viewedDepth(const py::array& depth, const PinholeCamera& camera, std:
 
 ArrayFrame depthFrame(const py::array& depth, const PinholeCamera& camera, std::optional<double> depth_scale,
                       const DepthOptions& options) {
+  refuseMasked(depth);
   if (depth.ndim() != 2) throwStatus(Status::SizeMismatch, "a depth image is H x W, not " + shapeText(depth));
   throwProblem(Status::InvalidCamera, camera.validate());
   if (py::isinstance<py::array_t<std::uint16_t>>(depth))
@@ -62,6 +69,7 @@ ArrayFrame depthFrame(const py::array& depth, const PinholeCamera& camera, std::
 }
 
 CloudArray cloudArray(const py::array& points) {
+  refuseMasked(points);
   if (points.ndim() != 3 || points.shape(2) != 3)
     throwStatus(Status::SizeMismatch, "a cloud is H x W x 3, not " + shapeText(points));
   if (!py::isinstance<py::array_t<float>>(points)) throwTypeError("a cloud is float32, not " + typeName(points));
@@ -115,7 +123,7 @@ ArrayFrame frameOf(const py::object& data, const std::optional<PinholeCamera>& c
   if (is_frame && (camera || depth_scale)) throwTypeError("a DepthFrame has its camera and its depth scale already");
   if (is_frame) return data.cast<ArrayFrame>();
   if (data.is_none()) throwTypeError("there is no depth image and no cloud: None was given");
-  const py::array array = py::array::ensure(data);
+  const auto array = py::isinstance<py::array>(data) ? py::array(data) : py::array::ensure(data);
   if (!array) throw py::error_already_set();
   if (array.ndim() != 3) {
     if (!camera && array.ndim() == 2) throwTypeError("a depth image needs its camera: epcc.PinholeCamera(...)");

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bad input is an exception that says in the library's words what is wrong; nothing crashes."""
 import pickle
+import subprocess
+import sys
 
 import numpy
 import pytest
@@ -78,6 +80,41 @@ def test_types_that_are_no_depth(camera):
         epcc.segment(epcc.DepthFrame.from_depth(IMAGE, camera), camera)
     with pytest.raises(TypeError, match="sensor must be None, a str or an epcc.SensorModel, not float"):
         epcc.segment(IMAGE, camera, sensor=0.01)
+
+
+def test_masked_arrays_are_not_taken_for_whole_ones(camera):
+    for masked in (numpy.ma.masked_less(IMAGE, 2.0), numpy.ma.masked_less(numpy.ones((9, 9, 3), numpy.float32), 2.0)):
+        with pytest.raises(TypeError, match="a masked array is not looked at"):
+            epcc.segment(masked, camera if masked.ndim == 2 else None)
+
+
+def test_lists_are_arrays_of_the_wrong_type():
+    with pytest.raises(TypeError, match="a depth image is uint16 or float32, not float64"):
+        epcc.segment([[1.0, 2.0]], epcc.PinholeCamera(2, 1, 1, 1, 0, 0))
+
+
+LITTLE_MEMORY = """
+import resource
+import numpy, epcc
+image = numpy.full((4000, 4000), 2000, numpy.uint16)
+camera = epcc.PinholeCamera(4000, 4000, 3000, 3000, 2000, 2000)
+extractor = epcc.PlaneExtractor()
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + 50_000_000, resource.RLIM_INFINITY))
+try:
+    extractor.extract(image, camera)
+except MemoryError as error:
+    assert type(error) is epcc.OutOfMemoryError, type(error)
+    assert error.status == epcc.Status.OUT_OF_MEMORY and str(error) == "out of memory"
+    resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+    print(len(extractor.extract(image, camera).planes))
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the limit on memory is Linux's")
+def test_no_memory_for_a_frame_is_an_error_that_the_extractor_survives():
+    run = subprocess.run([sys.executable, "-c", LITTLE_MEMORY], stdout=subprocess.PIPE, text=True, check=True)
+    assert run.stdout == "1\n"
 
 
 def test_a_scale_that_is_none(camera):

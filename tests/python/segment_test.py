@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """epcc.segment(): depth images and clouds in, labels and planes out."""
+import pickle
+
 import numpy
 import pytest
 
@@ -85,6 +87,15 @@ def test_planes_outlive_the_result(camera, depth):
     numpy.testing.assert_allclose(coefficients, ROOM[0], atol=0.01)
     with pytest.raises(ValueError):
         coefficients[0] = 1.0
+
+
+def test_a_plane_can_be_pickled_and_shown(camera, depth):
+    wall = epcc.segment(depth, camera).planes[0]
+    copy = pickle.loads(pickle.dumps(wall))
+    for name in ("coefficients", "coefficients_covariance", "centroid", "points_covariance", "rms", "pixel_count",
+                 "confidence"):
+        assert numpy.array_equal(getattr(copy, name), getattr(wall, name)), name
+    assert repr(copy) == repr(wall) and f"{wall.pixel_count} pixels" in repr(wall)
 
 
 def test_line_segments_are_a_structured_array(camera, depth):
