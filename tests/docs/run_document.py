@@ -74,7 +74,8 @@ class Reader:
                 programs += 1
             elif language == "console":
                 for command, shown in commands(block):
-                    self.run(command, shown)
+                    if self.has_python or not command.startswith("python3 "):
+                        self.run(command, shown)
         return programs
 
 
