@@ -23,7 +23,7 @@ class Conformance : public testing::TestWithParam<std::string> {
   PlaneSegmentation result_;
 
   /// A result that a failing or planeless call has to overwrite.
-  void soilResult() { result_ = {3, 1, {1, 2, 7}, std::vector<Plane>(7), std::vector<LineSegment>(2)}; }
+  void soilResult() { result_ = {3, 1, {1, 2, 7}, std::vector<Plane>(7), std::vector<LineSegment>(2), {}}; }
 
   /// Success and an error in words exclude each other.
   void segmentAndCheckStatus(const SegmenterInput& input) {

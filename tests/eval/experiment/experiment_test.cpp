@@ -222,7 +222,7 @@ TEST(Experiment, RealTruthAgainstItselfIsPerfect) {
     FrameMeasures sum;
     for (std::size_t i = 0; i < folder.size(); ++i) {
       const LabelledFrame frame = folder.read(i);
-      PlaneSegmentation copy{frame.depth.width, frame.depth.height, {}, {}, {}};
+      PlaneSegmentation copy{frame.depth.width, frame.depth.height, {}, {}, {}, {}};
       for (const std::uint16_t label : frame.labels.data) copy.labels.push_back(label == kIgnoreLabel ? 0 : label);
       sum += measureFrame(frame, copy);
     }
