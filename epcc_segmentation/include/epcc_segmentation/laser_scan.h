@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An ordered scan of a laser range finder in a plane, and the line segments that are found in it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "epcc_segmentation/export.h"
+#include "epcc_segmentation/vectors.h"
+
+namespace epcc {
+
+/// Ranges of consecutive beams from one place. The sensor is the origin, x is angle 0, angles grow from x to y.
+/// NaN, infinity, what is not above `range_min` and what is not below `range_max` count as no return.
+struct LaserScan {
+  std::vector<double> ranges;    ///< metres, in the order in which the beams lie side by side
+  double angle_min = 0.0;        ///< of the first beam, rad
+  double angle_increment = 0.0;  ///< from beam to beam, rad; negative for a scan that runs clockwise
+  /// Of each beam, rad, in place of the two above; empty, or as many as ranges. Any spacing.
+  std::vector<double> angles;
+  double range_min = 0.0;                                       ///< metres
+  double range_max = std::numeric_limits<double>::infinity();  ///< metres
+
+  /// Of points (x, y) in the order in which they were measured, metres, seen from the origin. A point that is not
+  /// finite is a beam without return.
+  EPCC_CORE_EXPORT static LaserScan fromPoints(const std::vector<Vector2>& points);
+
+  double angle(std::size_t beam) const {
+    return angles.empty() ? angle_min + angle_increment * static_cast<double>(beam) : angles[beam];
+  }
+  bool hasReturn(std::size_t beam) const {
+    return ranges[beam] > range_min && ranges[beam] < range_max &&
+           ranges[beam] < std::numeric_limits<double>::infinity();
+  }
+  /// Whether the beams go once round, so that the last is the first one's neighbour.
+  EPCC_CORE_EXPORT bool isFullCircle() const;
+};
+
+/// A line segment of a scan: what beams see of the line x cos(alpha) + y sin(alpha) = rho.
+struct LaserLine {
+  /// First and last beam that hit it, in the scan's order; first > last where it passes the seam of a full circle.
+  int first = 0;
+  int last = 0;
+  int points = 0;                    ///< beams that hit it; those between that see something else do not count
+  Vector2 start = Vector2::Zero();   ///< where the first beam meets the line, the sensor's frame, metres
+  Vector2 end = Vector2::Zero();     ///< where the last beam does
+  double alpha = 0.0;                ///< direction of the normal that points away from the sensor, rad, (-pi, pi]
+  double rho = 0.0;                  ///< distance of the line from the sensor, metres, positive
+  Matrix2 covariance = Matrix2::Zero();  ///< of (alpha, rho): rad^2, rad m, m^2
+  /// Of `start` and `end`, m^2: that of the line where it is met, and along the line what lies between two beams, for
+  /// the surface ends anywhere there.
+  Matrix2 start_covariance = Matrix2::Zero();
+  Matrix2 end_covariance = Matrix2::Zero();
+  double variance = 0.0;     ///< of the points' distances from the line, m^2
+  double chi_squared = 0.0;  ///< squared range errors in units of the noise model, mean by degrees of freedom; 1 if both agree
+
+  double length() const { return (end - start).norm(); }
+};
+
+/// The lines of a scan.
+struct LaserLines {
+  std::vector<LaserLine> lines;      ///< in the order of their first beams
+  std::vector<std::int32_t> labels;  ///< of each beam: 0 no line, k the line lines[k - 1]
+};
+
+}  // namespace epcc

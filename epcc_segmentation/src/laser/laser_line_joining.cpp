@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every pair that may be one is tested; the best is joined first.
+#include "laser/laser_line_joining.h"
+
+#include <algorithm>
+
+namespace epcc {
+namespace {
+
+constexpr double kMostExcess = 13.8;  // of the squared errors: chi squared with two degrees of freedom, 1 in 1000
+constexpr double kMostUncertain = 4.0;  // sigma of one's prediction of the other, in sigma of a range
+constexpr double kBehind = 3.0;         // sigma
+
+struct Pair {
+  std::size_t first, second;
+  GrownLaserLine joined;
+  double excess;
+};
+
+class Joining {
+ public:
+  Joining(const std::vector<LaserSample>& samples, const LaserScan& scan, const SensorModel& noise,
+          const LaserLineParameters& parameters)
+      : samples_(samples), scan_(scan), noise_(noise), parameters_(parameters) {}
+
+  /// Whether `second`, whose beams follow those of `first`, goes on with it.
+  bool test(const GrownLaserLine& first, const GrownLaserLine& second, Pair& pair) const {
+    if (!predicts(first.line, second.members.front()) || !predicts(second.line, first.members.back())) return false;
+    pair.joined.members = first.members;
+    pair.joined.members.insert(pair.joined.members.end(), second.members.begin(), second.members.end());
+    pair.joined.line = first.members.size() > second.members.size() ? first.line : second.line;
+    const double together = fitRangeLine(samples_, pair.joined.members, noise_, pair.joined.line);
+    if (together < 0.0) return false;
+    const double apart = errors(first) + errors(second);
+    const double freedom = static_cast<double>(pair.joined.members.size()) - 4.0;
+    // A noise model that is too small must not keep one wall in pieces.
+    pair.excess = (together - apart) / std::max(1.0, apart / std::max(1.0, freedom));
+    return pair.excess <= kMostExcess &&
+           isHidden(pair.joined.line, samples_[first.members.back()].beam, samples_[second.members.front()].beam);
+  }
+
+ private:
+  double errors(const GrownLaserLine& grown) const {
+    RangeLine line = grown.line;
+    return std::max(0.0, fitRangeLine(samples_, grown.members, noise_, line));
+  }
+
+  /// To within a few sigma, whether right or wrong.
+  bool predicts(const RangeLine& line, int i) const {
+    const LaserSample& sample = samples_[i];
+    if (!(line.range(sample.direction) > 0.0)) return false;
+    RangeError error;
+    if (!rangeError(line, sample, error)) return false;
+    const double variance = line.rangeVariance(sample.direction);
+    return variance <= kMostUncertain * kMostUncertain * error.variance;
+  }
+
+  Eigen::Vector2d direction(int beam) const {
+    const double angle = scan_.angle(static_cast<std::size_t>(beam));
+    return {std::cos(angle), std::sin(angle)};
+  }
+
+  /// Whether beams pass through the line, or end nowhere.
+  bool isOpen(const RangeLine& line, int beam) const {
+    if (!scan_.hasReturn(static_cast<std::size_t>(beam))) return true;
+    const double range = line.range(direction(beam));
+    const double variance = noise_.varianceZ(range) + line.rangeVariance(direction(beam));
+    const double behind = scan_.ranges[static_cast<std::size_t>(beam)] - range;
+    return behind > 0.0 && behind * behind > kBehind * kBehind * variance;
+  }
+
+  bool isHidden(const RangeLine& line, int from, int to) const {
+    const int beams = static_cast<int>(scan_.ranges.size());
+    const auto next = [&](int beam) { return beam + 1 == beams ? 0 : beam + 1; };
+    Eigen::Vector2d last = line.point(direction(from));
+    if ((line.point(direction(to)) - last).norm() > parameters_.max_hidden) return false;
+    double open = 0.0;
+    for (int beam = next(from); beam != to; beam = next(beam)) {
+      if (!(line.range(direction(beam)) > 0.0)) return false;
+      const Eigen::Vector2d point = line.point(direction(beam));
+      open = isOpen(line, beam) ? open + (point - last).norm() : 0.0;
+      if (open > parameters_.max_gap) return false;
+      last = point;
+    }
+    return true;
+  }
+
+  const std::vector<LaserSample>& samples_;
+  const LaserScan& scan_;
+  const SensorModel& noise_;
+  const LaserLineParameters& parameters_;
+};
+
+}  // namespace
+
+void joinHiddenLines(const std::vector<LaserSample>& samples, const LaserScan& scan, const SensorModel& noise,
+                     const LaserLineParameters& parameters, bool circle, std::vector<GrownLaserLine>& lines) {
+  const Joining joining(samples, scan, noise, parameters);
+  for (;;) {
+    Pair best{0, 0, {}, -1.0}, pair;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (std::size_t j = 0; j < lines.size(); ++j) {
+        if (i == j || (j < i && !circle)) continue;
+        if (!joining.test(lines[i], lines[j], pair)) continue;
+        if (best.excess >= 0.0 && pair.excess >= best.excess) continue;
+        best = pair;
+        best.first = i;
+        best.second = j;
+        best.excess = std::max(0.0, pair.excess);
+      }
+    if (best.excess < 0.0) return;
+    lines[best.first] = best.joined;
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(best.second));
+  }
+}
+
+}  // namespace epcc
