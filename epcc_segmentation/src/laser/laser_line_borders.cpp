@@ -8,6 +8,9 @@ namespace epcc {
 namespace {
 
 constexpr int kRounds = 3;
+// A point at the end of a line must be nearer than others, in sigma^2: it may belong to a surface that comes next and is
+// too small to be a line.
+constexpr double kMostAtEnd = 4.0;
 constexpr int kFewest = 4;  // points with which a line lives on until the last round
 
 /// Squared error in sigma^2, no more than `most`.
@@ -55,6 +58,28 @@ std::vector<int> ownSamples(const std::vector<LaserSample>& samples, const Grown
   return own;
 }
 
+/// How many points of an end, in this order, are farther off than points of a line are.
+template <typename Iterator>
+int strayPoints(const std::vector<LaserSample>& samples, const RangeLine& line, Iterator first, Iterator last,
+                double most) {
+  double sum = 0.0, largest = 0.0;
+  int stray = 0, count = 0;
+  for (; first != last; ++first) {
+    sum += cappedError(line, samples[*first], most) - kMostAtEnd;
+    ++count;
+    if (sum <= largest) continue;
+    largest = sum;
+    stray = count;
+  }
+  return stray;
+}
+
+void trimEnds(const std::vector<LaserSample>& samples, double most, GrownLaserLine& grown) {
+  std::vector<int>& members = grown.members;
+  members.resize(members.size() - strayPoints(samples, grown.line, members.rbegin(), members.rend(), most));
+  members.erase(members.begin(), members.begin() + strayPoints(samples, grown.line, members.begin(), members.end(), most));
+}
+
 void dropBelow(std::size_t points, std::vector<GrownLaserLine>& lines) {
   lines.erase(std::remove_if(lines.begin(), lines.end(),
                              [&](const GrownLaserLine& grown) { return grown.members.size() < points; }),
@@ -74,8 +99,10 @@ void settleBorders(const std::vector<LaserSample>& samples, const SensorModel& n
     for (std::size_t k = 1; k < lines.size(); ++k)
       borders.push_back(borderBetween(samples, lines[k - 1], lines[k], most));
     borders.push_back(static_cast<int>(samples.size()));
-    for (std::size_t k = 0; k < lines.size(); ++k)
+    for (std::size_t k = 0; k < lines.size(); ++k) {
       lines[k].members = ownSamples(samples, lines[k], borders[k], borders[k + 1], most, parameters.max_gap);
+      trimEnds(samples, most, lines[k]);
+    }
     dropBelow(round + 1 < kRounds ? kFewest : static_cast<std::size_t>(parameters.min_points), lines);
   }
 }

@@ -10,6 +10,8 @@ namespace {
 constexpr double kMostExcess = 13.8;  // of the squared errors: chi squared with two degrees of freedom, 1 in 1000
 constexpr double kMostUncertain = 4.0;  // sigma of one's prediction of the other, in sigma of a range
 constexpr double kBehind = 3.0;         // sigma
+constexpr int kFewestAdopted = 3;       // beams
+constexpr double kInFront = 8.0;        // sigma, of what hides a short piece
 
 struct Pair {
   std::size_t first, second;
@@ -20,8 +22,40 @@ struct Pair {
 class Joining {
  public:
   Joining(const std::vector<LaserSample>& samples, const LaserScan& scan, const SensorModel& noise,
-          const LaserLineParameters& parameters)
-      : samples_(samples), scan_(scan), noise_(noise), parameters_(parameters) {}
+          const LaserLineParameters& parameters, bool circle)
+      : samples_(samples), scan_(scan), noise_(noise), parameters_(parameters), circle_(circle) {}
+
+  /// The samples from i on in steps of `step` that are a short piece of the line, whose last sample on this side is
+  /// `end`. Advances i behind what it looked at; false at the end of what can be hidden.
+  bool nextPiece(const GrownLaserLine& grown, const std::vector<char>& taken, int end, int step, int& i, int& looked,
+                 std::vector<int>& piece) const {
+    piece.clear();
+    const int n = static_cast<int>(samples_.size());
+    const auto inside = [&](int k) { return circle_ ? (k % n + n) % n : k; };
+    const auto valid = [&](int k) { return circle_ || (k >= 0 && k < n); };
+    const double most = 2.0 * parameters_.k_max * parameters_.k_max;
+    for (; valid(i) && looked < n && piece.empty(); i += step, ++looked) {
+      const int k = inside(i);
+      const double range = grown.line.range(samples_[k].direction);
+      if (!(range > 0.0) || (grown.line.point(samples_[k].direction) -
+                             grown.line.point(samples_[end].direction)).norm() > parameters_.max_hidden)
+        return false;
+      if (!isHiding(grown.line, samples_[k])) continue;
+      for (int next = i + step; valid(next); next += step) {
+        const int candidate = inside(next);
+        RangeError error;
+        if (taken[static_cast<std::size_t>(candidate)] || !rangeError(grown.line, samples_[candidate], error) ||
+            error.squared > most * error.variance || !predicts(grown.line, candidate))
+          break;
+        piece.push_back(candidate);
+      }
+      if (static_cast<int>(piece.size()) < kFewestAdopted) piece.clear();
+      if (piece.empty()) continue;
+      const int from = samples_[step > 0 ? end : piece.front()].beam, to = samples_[step > 0 ? piece.front() : end].beam;
+      if (!isHidden(grown.line, from, to)) return false;
+    }
+    return !piece.empty();
+  }
 
   /// Whether `second`, whose beams follow those of `first`, goes on with it.
   bool test(const GrownLaserLine& first, const GrownLaserLine& second, Pair& pair) const {
@@ -43,6 +77,11 @@ class Joining {
   double errors(const GrownLaserLine& grown) const {
     RangeLine line = grown.line;
     return std::max(0.0, fitRangeLine(samples_, grown.members, noise_, line));
+  }
+
+  bool isHiding(const RangeLine& line, const LaserSample& sample) const {
+    const double range = line.range(sample.direction);
+    return range - sample.range > kInFront * noise_.sigmaZ(range);
   }
 
   /// To within a few sigma, whether right or wrong.
@@ -89,13 +128,14 @@ class Joining {
   const LaserScan& scan_;
   const SensorModel& noise_;
   const LaserLineParameters& parameters_;
+  bool circle_;
 };
 
 }  // namespace
 
 void joinHiddenLines(const std::vector<LaserSample>& samples, const LaserScan& scan, const SensorModel& noise,
                      const LaserLineParameters& parameters, bool circle, std::vector<GrownLaserLine>& lines) {
-  const Joining joining(samples, scan, noise, parameters);
+  const Joining joining(samples, scan, noise, parameters, circle);
   for (;;) {
     Pair best{0, 0, {}, -1.0}, pair;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -112,6 +152,27 @@ void joinHiddenLines(const std::vector<LaserSample>& samples, const LaserScan& s
     lines[best.first] = best.joined;
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(best.second));
   }
+}
+
+void adoptHiddenPieces(const std::vector<LaserSample>& samples, const LaserScan& scan, const SensorModel& noise,
+                       const LaserLineParameters& parameters, bool circle, std::vector<GrownLaserLine>& lines) {
+  const Joining joining(samples, scan, noise, parameters, circle);
+  std::vector<char> taken(samples.size(), 0);
+  for (const GrownLaserLine& grown : lines)
+    for (const int i : grown.members) taken[static_cast<std::size_t>(i)] = 1;
+  for (GrownLaserLine& grown : lines)
+    for (const int step : {1, -1}) {
+      std::vector<int> piece;
+      int end = step > 0 ? grown.members.back() : grown.members.front();
+      int i = end + step, looked = 0;
+      while (joining.nextPiece(grown, taken, end, step, i, looked, piece)) {
+        for (const int k : piece) taken[static_cast<std::size_t>(k)] = 1;
+        end = piece.back();
+        if (step < 0) std::reverse(piece.begin(), piece.end());
+        grown.members.insert(step > 0 ? grown.members.end() : grown.members.begin(), piece.begin(), piece.end());
+        if (fitRangeLine(samples, grown.members, noise, grown.line) < 0.0) break;
+      }
+    }
 }
 
 }  // namespace epcc

@@ -18,4 +18,9 @@ namespace epcc {
 void joinHiddenLines(const std::vector<LaserSample>& samples, const LaserScan& scan, const SensorModel& noise,
                      const LaserLineParameters& parameters, bool circle, std::vector<GrownLaserLine>& lines);
 
+/// Gives lines the pieces of their wall that are too short to be lines: three beams in a row or more that no line has,
+/// all on the line, behind something that is in front of it, under the conditions of joinHiddenLines.
+void adoptHiddenPieces(const std::vector<LaserSample>& samples, const LaserScan& scan, const SensorModel& noise,
+                       const LaserLineParameters& parameters, bool circle, std::vector<GrownLaserLine>& lines);
+
 }  // namespace epcc

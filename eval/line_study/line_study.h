@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Methods for the lines of laser scans, compared on floor plans.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "epcc_segmentation/laser_line_extractor.h"
+#include "eval/line_study/line_scores.h"
+
+namespace epcc {
+
+struct LineStudyOptions {
+  int plans = 10;   ///< seeds 0, 1, ...
+  int scans = 30;   ///< of each plan
+  LaserLineParameters parameters;
+};
+
+struct LineStudyRow {
+  std::string sensor, method;
+  LineScores scores;
+};
+
+/// Every method on every scan of two sensors: half a degree all round, one degree over half a circle.
+std::vector<LineStudyRow> runLineStudy(const LineStudyOptions& options);
+
+/// The tables of docs/research/laser_lines.md.
+std::string lineStudyTables(const std::vector<LineStudyRow>& rows);
+
+}  // namespace epcc
