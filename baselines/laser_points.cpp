@@ -31,13 +31,18 @@ MethodLine fitMethodLine(const std::vector<LaserPoint>& points, std::size_t firs
     xx += d.x() * d.x();
     xy += d.x() * d.y();
     yy += d.y() * d.y();
-    line.beams.push_back(points[i].beam);
   }
   const double along = 0.5 * std::atan2(2.0 * xy, xx - yy);
   Vector2 normal(-std::sin(along), std::cos(along));
   if (normal.dot(mean) < 0.0) normal = -normal;
   line.alpha = std::atan2(normal.y(), normal.x());
   line.rho = normal.dot(mean);
+  return line;
+}
+
+MethodLine finishedLine(const std::vector<LaserPoint>& points, std::size_t first, std::size_t last) {
+  MethodLine line = fitMethodLine(points, first, last);
+  for (std::size_t i = first; i < last; ++i) line.beams.push_back(points[i].beam);
   return line;
 }
 

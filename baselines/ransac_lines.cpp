@@ -40,7 +40,7 @@ std::vector<MethodLine> ransacLines(const LaserScan& scan, const LaserMethodPara
     for (std::size_t first = 0; first < on_line.size();) {
       std::size_t last = first + 1;
       while (last < on_line.size() && !isJump(scan, on_line[last - 1], on_line[last], parameters.max_gap)) ++last;
-      if (last - first >= fewest) lines.push_back(fitMethodLine(on_line, first, last));
+      if (last - first >= fewest) lines.push_back(finishedLine(on_line, first, last));
       first = last;
     }
     // Inliers in pieces that are too short are used up as well, or the same line would be found for ever.

@@ -69,7 +69,7 @@ std::vector<MethodLine> splitAndMergeLines(const LaserScan& scan, const LaserMet
     merge(points, parameters.distance, parts);
     for (const Part& part : parts)
       if (part.last - part.first >= static_cast<std::size_t>(parameters.min_points))
-        lines.push_back(fitMethodLine(points, part.first, part.last));
+        lines.push_back(finishedLine(points, part.first, part.last));
     first = last;
   }
   return lines;

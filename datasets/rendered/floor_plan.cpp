@@ -95,6 +95,18 @@ Vector2 toSensor(const LaserPose& pose, const Vector2& point) {
   return turn.toWorld(point - Vector2(pose.x, pose.y));
 }
 
+/// The first beam, from one end on, that is followed by two of its neighbours; the first one of all if there is none.
+template <typename Iterator>
+int endBeam(Iterator first, Iterator last, int beams) {
+  const auto areNeighbours = [&](int a, int b) {
+    const int apart = std::abs(a - b);
+    return apart == 1 || apart == beams - 1;
+  };
+  for (Iterator i = first; last - i >= 3; ++i)
+    if (areNeighbours(i[0], i[1]) && areNeighbours(i[1], i[2])) return *i;
+  return *first;
+}
+
 void describeFace(const FloorPlan& plan, const LaserPose& pose, const LaserScan& scan, SeenFace& seen) {
   const FloorFace& face = plan.faces[static_cast<std::size_t>(seen.face)];
   const Vector2 origin(pose.x, pose.y);
@@ -105,15 +117,17 @@ void describeFace(const FloorPlan& plan, const LaserPose& pose, const LaserScan&
   const auto place = [&](int beam) { return std::remainder(angleOf(beam) - heading, 2.0 * kPi); };
   std::sort(seen.beams.begin(), seen.beams.end(), [&](int a, int b) { return place(a) < place(b); });
   const double step = std::abs(scan.angle_increment);
-  const double first = angleOf(seen.beams.front()), last = angleOf(seen.beams.back());
   const bool circle = scan.isFullCircle();
   const int beams = static_cast<int>(scan.ranges.size());
+  const int first_beam = endBeam(seen.beams.begin(), seen.beams.end(), beams);
+  const int last_beam = endBeam(seen.beams.rbegin(), seen.beams.rend(), beams);
+  const double first = angleOf(first_beam), last = angleOf(last_beam);
   const auto isEdge = [&](int beam) { return !circle && (beam == 0 || beam + 1 == beams); };
   const auto endOf = [&](int beam, double inside, double outside) {
     return visibleEnd(plan, origin, seen.face, inside, isEdge(beam) ? inside : outside);
   };
-  seen.start = toSensor(pose, endOf(seen.beams.front(), first, first - step));
-  seen.end = toSensor(pose, endOf(seen.beams.back(), last, last + step));
+  seen.start = toSensor(pose, endOf(first_beam, first, first - step));
+  seen.end = toSensor(pose, endOf(last_beam, last, last + step));
   const Vector2 from = toSensor(pose, face.from), side = (toSensor(pose, face.to) - from).normalized();
   Vector2 normal(-side.y(), side.x());
   if (normal.dot(from) < 0.0) normal = -normal;

@@ -48,7 +48,9 @@ struct LaserSensor {
 struct SeenFace {
   int face = 0;            ///< of the plan
   std::vector<int> beams;  ///< that hit it, in the order along it
-  Vector2 start, end;      ///< of what is seen, exact, not to the next beam; what hides its middle does not count
+  /// Of what is seen, exact, not to the next beam. What hides its middle does not count, nor does what fewer than three
+  /// beams in a row see of an end behind something.
+  Vector2 start, end;
   double alpha = 0.0, rho = 0.0;
 };
 

@@ -21,6 +21,8 @@ void addErrors(const SeenFace& face, const ScoredLine& found, LineScores& scores
   if (!found.line) return;
   const LaserLine& line = *found.line;
   scores.line_nees.push_back(squaredBy({alpha_error, found.rho - face.rho}, line.covariance));
+  constexpr double kClear = 0.05;  // rad
+  if (line.covariance(0, 0) < kClear * kClear) scores.clear_line_nees.push_back(scores.line_nees.back());
   const Eigen::Vector2d start = line.start - face.start, end = line.end - face.end;
   scores.end_errors.push_back(start.norm());
   scores.end_errors.push_back(end.norm());
@@ -41,6 +43,7 @@ LineScores& LineScores::operator+=(const LineScores& other) {
   append(angle_errors, other.angle_errors);
   append(distance_errors, other.distance_errors);
   append(line_nees, other.line_nees);
+  append(clear_line_nees, other.clear_line_nees);
   append(end_errors, other.end_errors);
   append(end_nees, other.end_nees);
   seconds += other.seconds;

@@ -86,14 +86,16 @@ std::vector<LineStudyRow> runLineStudy(const LineStudyOptions& options) {
     const SensorModel noise = SensorModel::polynomial(0.0, sensor.noise_b, sensor.noise_a);
     LaserLineParameters pieces = options.parameters;
     pieces.join_hidden = false;
-    LaserMethodParameters others;
-    others.distance = 3.0 * noise.sigmaZ(3.0);
+    // Each with the distance at which it finds most: of 20, 25, ... 100 mm.
+    LaserMethodParameters splitting, sampling;
+    splitting.distance = options.split_distance;
+    sampling.distance = options.ransac_distance;
     const std::pair<const char*, Method> methods[] = {
         {"EPCC, noise given", epccMethod(noise, options.parameters)},
         {"EPCC, noise measured", epccMethod(estimateRangeNoise(plain).model(), options.parameters)},
         {"EPCC, hidden parts not joined", epccMethod(noise, pieces)},
-        {"Split-and-Merge", otherMethod(splitAndMergeLines, others)},
-        {"PCL RANSAC line", otherMethod(ransacLines, others)}};
+        {"Split-and-Merge", otherMethod(splitAndMergeLines, splitting)},
+        {"PCL RANSAC line", otherMethod(ransacLines, sampling)}};
     for (const auto& [method_name, method] : methods) rows.push_back({name, method_name, scoreMethod(method, scans)});
   }
   return rows;
@@ -102,7 +104,8 @@ std::vector<LineStudyRow> runLineStudy(const LineStudyOptions& options) {
 std::string lineStudyTables(const std::vector<LineStudyRow>& rows) {
   Table regions{{{"sensor", false}, {"method", false}, {"faces"}, {"correct"}, {"over"}, {"under"}, {"missed"}, {"noise"},
                  {"angle, mrad"}, {"position, mm"}, {"ms a scan"}}, {}};
-  Table consistency{{{"sensor", false}, {"method", false}, {"lines"}, {"NEES of (alpha, rho)"}, {"within 3 sigma, %"},
+  Table consistency{{{"sensor", false}, {"method", false}, {"lines"}, {"NEES, mean"}, {"median"},
+                     {"mean where sigma alpha < 50 mrad"}, {"within 3 sigma, %"},
                      {"median end error, mm"}, {"ends within 3 sigma, %"}}, {}};
   for (const LineStudyRow& row : rows) {
     const LineScores& s = row.scores;
@@ -114,7 +117,8 @@ std::string lineStudyTables(const std::vector<LineStudyRow>& rows) {
     // Chi squared with two degrees of freedom, at the probability of three sigma in one.
     constexpr double kThreeSigma = 11.829;
     consistency.rows.push_back({row.sensor, row.method, count(static_cast<long>(s.line_nees.size())),
-                                numberCell(mean(s.line_nees), 2), numberCell(shareBelow(s.line_nees, kThreeSigma), 1),
+                                numberCell(mean(s.line_nees), 2), numberCell(median(s.line_nees), 2),
+                                numberCell(mean(s.clear_line_nees), 2), numberCell(shareBelow(s.line_nees, kThreeSigma), 1),
                                 numberCell(1e3 * median(s.end_errors), 1),
                                 numberCell(shareBelow(s.end_nees, kThreeSigma), 1)});
   }

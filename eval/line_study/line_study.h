@@ -13,6 +13,8 @@ namespace epcc {
 struct LineStudyOptions {
   int plans = 10;   ///< seeds 0, 1, ...
   int scans = 30;   ///< of each plan
+  double split_distance = 0.05;   ///< of a point from its line, metres
+  double ransac_distance = 0.03;  ///< the same
   LaserLineParameters parameters;
 };
 

@@ -18,11 +18,14 @@ int lineStudyMain(int argc, const char* const* argv, std::ostream& out, std::ost
   LineStudyOptions options;
   app.add_option("--plans", options.plans, "Floor plans")->capture_default_str();
   app.add_option("--scans", options.scans, "Scans of each plan")->capture_default_str();
+  app.add_option("--split-distance", options.split_distance, "Of Split-and-Merge, metres")->capture_default_str();
+  app.add_option("--ransac-distance", options.ransac_distance, "Of RANSAC, metres")->capture_default_str();
   app.add_option("--k-max", options.parameters.k_max, "As in epcc_lines")->capture_default_str();
   app.add_option("--max-gap", options.parameters.max_gap, "As in epcc_lines")->capture_default_str();
   const auto done = parseCommandLine(app, argc, argv, out, err, [&] {
     require(options.plans >= 1 && options.plans <= 1000, "--plans: must be 1 to 1000");
     require(options.scans >= 1 && options.scans <= 1000, "--scans: must be 1 to 1000");
+    require(options.split_distance > 0.0 && options.ransac_distance > 0.0, "distances must be positive");
     const std::string problem = options.parameters.validate();
     require(problem.empty(), problem);
   });

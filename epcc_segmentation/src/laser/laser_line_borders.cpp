@@ -11,6 +11,7 @@ constexpr int kRounds = 3;
 // A point at the end of a line must be nearer than others, in sigma^2: it may belong to a surface that comes next and is
 // too small to be a line.
 constexpr double kMostAtEnd = 4.0;
+constexpr double kStray = 25.0;  // sigma^2: a point no farther off is not taken, but it is no opening in the line
 constexpr int kFewest = 4;  // points with which a line lives on until the last round
 
 /// Squared error in sigma^2, no more than `most`.
@@ -44,10 +45,9 @@ std::vector<int> ownSamples(const std::vector<LaserSample>& samples, const Grown
   const int middle = std::clamp(grown.members[grown.members.size() / 2], begin, end - 1);
   const auto take = [&](int i, int& last) {
     if (!isWithinGap(grown.line, samples[last], samples[i], max_gap)) return false;
-    if (cappedError(grown.line, samples[i], most) < most) {
-      own.push_back(i);
-      last = i;
-    }
+    const double error = cappedError(grown.line, samples[i], kStray);
+    if (error < most) own.push_back(i);
+    if (error < kStray) last = i;
     return true;
   };
   for (int i = middle, last = middle; i >= begin && take(i, last); --i) {

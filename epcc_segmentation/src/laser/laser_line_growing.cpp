@@ -8,7 +8,6 @@ namespace epcc {
 namespace {
 
 constexpr int kCornerSamples = 2;  // that the line before a corner may take of the line behind it
-constexpr int kBeamsApart = 2;  // beams of a line at any distance: one between may go astray
 constexpr double kMostOwnVariance = 3.0;  // of a line, sigma^2: beyond, corners would count as noise
 
 /// The active line and a candidate.
@@ -69,7 +68,7 @@ class Prototype {
 }  // namespace
 
 bool isWithinGap(const RangeLine& line, const LaserSample& from, const LaserSample& to, double max_gap) {
-  if (std::abs(to.beam - from.beam) <= kBeamsApart) return true;
+  if (std::abs(to.beam - from.beam) <= 1) return true;
   const double a = line.range(from.direction), b = line.range(to.direction);
   if (!(a > 0.0) || !(b > 0.0)) return false;
   return (a * from.direction - b * to.direction).norm() <= max_gap;

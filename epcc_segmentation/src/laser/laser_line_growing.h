@@ -15,8 +15,8 @@ struct GrownLaserLine {
   std::vector<int> members;
 };
 
-/// Whether a line may go on from one of its samples to another, later or earlier one: neighbouring beams always, and
-/// those beside a neighbour, others across max_gap metres of it.
+/// Whether a line may go on from one of its samples to another, later or earlier one: neighbouring beams always, others
+/// across max_gap metres of it.
 bool isWithinGap(const RangeLine& line, const LaserSample& from, const LaserSample& to, double max_gap);
 
 /// One pass over the samples. Lines of fewer points than asked for are among the result: what their neighbours took at

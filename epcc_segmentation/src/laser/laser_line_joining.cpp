@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMostExcess = 13.8;  // of the squared errors: chi squared with two degrees of freedom, 1 in 1000
 constexpr double kMostUncertain = 4.0;  // sigma of one's prediction of the other, in sigma of a range
-constexpr double kBehind = 3.0;         // sigma
+constexpr double kBehind = 5.0;         // sigma: no stray point
 constexpr int kFewestAdopted = 3;       // beams
 constexpr double kInFront = 8.0;        // sigma, of what hides a short piece
 
@@ -60,6 +60,7 @@ class Joining {
   /// Whether `second`, whose beams follow those of `first`, goes on with it.
   bool test(const GrownLaserLine& first, const GrownLaserLine& second, Pair& pair) const {
     if (!predicts(first.line, second.members.front()) || !predicts(second.line, first.members.back())) return false;
+    if (!mayBeOne(first, second)) return false;
     pair.joined.members = first.members;
     pair.joined.members.insert(pair.joined.members.end(), second.members.begin(), second.members.end());
     pair.joined.line = first.members.size() > second.members.size() ? first.line : second.line;
@@ -77,6 +78,16 @@ class Joining {
   double errors(const GrownLaserLine& grown) const {
     RangeLine line = grown.line;
     return std::max(0.0, fitRangeLine(samples_, grown.members, noise_, line));
+  }
+
+  /// Whether the middle of the second is where the first may go on: a quick look before lines are fitted.
+  bool mayBeOne(const GrownLaserLine& first, const GrownLaserLine& second) const {
+    const LaserSample& middle = samples_[second.members[second.members.size() / 2]];
+    RangeError error;
+    if (!rangeError(first.line, middle, error)) return false;
+    constexpr double kSigmas = 6.0;
+    const double variance = error.variance + first.line.rangeVariance(middle.direction);
+    return error.squared <= kSigmas * kSigmas * variance;
   }
 
   bool isHiding(const RangeLine& line, const LaserSample& sample) const {
