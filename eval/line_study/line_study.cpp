@@ -74,8 +74,8 @@ std::string count(long value) {
 
 std::vector<LineStudyRow> runLineStudy(const LineStudyOptions& options) {
   std::vector<LineStudyRow> rows;
-  for (const auto& [name, sensor] : {std::pair("0.5°, 360°", LaserSensor::allRound()),
-                                     std::pair("1°, 180°", LaserSensor::halfCircle())}) {
+  for (const auto& [name, sensor] :
+       {std::pair("0.5°, 360°", LaserSensor::allRound()), std::pair("1°, 180°", LaserSensor::halfCircle())}) {
     std::vector<FloorScan> scans;
     std::vector<LaserScan> plain;
     for (int plan = 0; plan < options.plans; ++plan)
@@ -102,11 +102,28 @@ std::vector<LineStudyRow> runLineStudy(const LineStudyOptions& options) {
 }
 
 std::string lineStudyTables(const std::vector<LineStudyRow>& rows) {
-  Table regions{{{"sensor", false}, {"method", false}, {"faces"}, {"correct"}, {"over"}, {"under"}, {"missed"}, {"noise"},
-                 {"angle, mrad"}, {"position, mm"}, {"ms a scan"}}, {}};
-  Table consistency{{{"sensor", false}, {"method", false}, {"lines"}, {"NEES, mean"}, {"median"},
-                     {"mean where sigma alpha < 50 mrad"}, {"within 3 sigma, %"},
-                     {"median end error, mm"}, {"ends within 3 sigma, %"}}, {}};
+  Table regions{{{"sensor", false},
+                 {"method", false},
+                 {"faces"},
+                 {"correct"},
+                 {"over"},
+                 {"under"},
+                 {"missed"},
+                 {"noise"},
+                 {"angle, mrad"},
+                 {"position, mm"},
+                 {"ms a scan"}},
+                {}};
+  Table consistency{{{"sensor", false},
+                     {"method", false},
+                     {"lines"},
+                     {"NEES, mean"},
+                     {"median"},
+                     {"mean where sigma alpha < 50 mrad"},
+                     {"within 3 sigma, %"},
+                     {"median end error, mm"},
+                     {"ends within 3 sigma, %"}},
+                    {}};
   for (const LineStudyRow& row : rows) {
     const LineScores& s = row.scores;
     regions.rows.push_back({row.sensor, row.method, count(s.faces), count(s.regions.correct), count(s.regions.over),
@@ -116,13 +133,21 @@ std::string lineStudyTables(const std::vector<LineStudyRow>& rows) {
     if (s.line_nees.empty()) continue;
     // Chi squared with two degrees of freedom, at the probability of three sigma in one.
     constexpr double kThreeSigma = 11.829;
-    consistency.rows.push_back({row.sensor, row.method, count(static_cast<long>(s.line_nees.size())),
-                                numberCell(mean(s.line_nees), 2), numberCell(median(s.line_nees), 2),
-                                numberCell(mean(s.clear_line_nees), 2), numberCell(shareBelow(s.line_nees, kThreeSigma), 1),
-                                numberCell(1e3 * median(s.end_errors), 1),
-                                numberCell(shareBelow(s.end_nees, kThreeSigma), 1)});
+    consistency.rows.push_back(
+        {row.sensor, row.method, count(static_cast<long>(s.line_nees.size())), numberCell(mean(s.line_nees), 2),
+         numberCell(median(s.line_nees), 2), numberCell(mean(s.clear_line_nees), 2),
+         numberCell(shareBelow(s.line_nees, kThreeSigma), 1), numberCell(1e3 * median(s.end_errors), 1),
+         numberCell(shareBelow(s.end_nees, kThreeSigma), 1)});
   }
   return markdownTable(regions) + "\n" + markdownTable(consistency);
+}
+
+LineMap floorMap(const LineStudyOptions& options) {
+  const LaserSensor sensor = LaserSensor::allRound();
+  LaserLog log;
+  for (FloorScan& scan : scanOffice(sensor, options.scans, 0)) log.records.push_back(std::move(scan.record));
+  const SensorModel noise = SensorModel::polynomial(0.0, sensor.noise_b, sensor.noise_a);
+  return logMap(log, findLines(log, noise, options.parameters, 1), "Floor plan 0");
 }
 
 }  // namespace epcc

@@ -7,12 +7,13 @@
 
 #include "epcc_segmentation/laser_line_extractor.h"
 #include "eval/line_study/line_scores.h"
+#include "eval/lines/line_map.h"
 
 namespace epcc {
 
 struct LineStudyOptions {
-  int plans = 10;   ///< seeds 0, 1, ...
-  int scans = 30;   ///< of each plan
+  int plans = 10;                 ///< seeds 0, 1, ...
+  int scans = 30;                 ///< of each plan
   double split_distance = 0.05;   ///< of a point from its line, metres
   double ransac_distance = 0.03;  ///< the same
   LaserLineParameters parameters;
@@ -28,5 +29,8 @@ std::vector<LineStudyRow> runLineStudy(const LineStudyOptions& options);
 
 /// The tables of docs/research/laser_lines.md.
 std::string lineStudyTables(const std::vector<LineStudyRow>& rows);
+
+/// The lines of scans of one floor plan, in its frame.
+LineMap floorMap(const LineStudyOptions& options);
 
 }  // namespace epcc

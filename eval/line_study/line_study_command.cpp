@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <ostream>
 
+#include "datasets/files/png_io.h"
 #include "eval/line_study/line_study.h"
 #include "eval/program/command_line.h"
 
@@ -22,6 +23,8 @@ int lineStudyMain(int argc, const char* const* argv, std::ostream& out, std::ost
   app.add_option("--ransac-distance", options.ransac_distance, "Of RANSAC, metres")->capture_default_str();
   app.add_option("--k-max", options.parameters.k_max, "As in epcc_lines")->capture_default_str();
   app.add_option("--max-gap", options.parameters.max_gap, "As in epcc_lines")->capture_default_str();
+  std::string map;
+  app.add_option("--map", map, "Picture of the lines of the first plan")->type_name("FILE.png");
   const auto done = parseCommandLine(app, argc, argv, out, err, [&] {
     require(options.plans >= 1 && options.plans <= 1000, "--plans: must be 1 to 1000");
     require(options.scans >= 1 && options.scans <= 1000, "--scans: must be 1 to 1000");
@@ -31,6 +34,7 @@ int lineStudyMain(int argc, const char* const* argv, std::ostream& out, std::ost
   });
   if (done) return *done;
   return runProgram(kProgram, out, err, [&] {
+    if (!map.empty()) writeRgb(map, drawMap(floorMap(options)));
     out << lineStudyTables(runLineStudy(options));
     return kExitDone;
   });

@@ -8,7 +8,9 @@ namespace epcc {
 namespace {
 
 constexpr int kCornerSamples = 2;  // that the line before a corner may take of the line behind it
-constexpr double kMostOwnVariance = 3.0;  // of a line, sigma^2: beyond, corners would count as noise
+// Of a line, sigma^2: below, a few samples that agree by chance would reject the next; beyond, corners would count as
+// noise.
+constexpr double kMostOwnVariance = 3.0;
 
 /// The active line and a candidate.
 class Prototype {
@@ -38,7 +40,7 @@ class Prototype {
     RangeError error;
     const LaserSample& candidate = (*samples_)[i];
     if (!rangeError(grown_.line, candidate, error)) return false;
-    const double own = std::min(own_variance_, kMostOwnVariance);
+    const double own = std::clamp(own_variance_, 1.0, kMostOwnVariance);
     const double variance = error.variance * (1.0 + own) + grown_.line.rangeVariance(candidate.direction);
     return error.squared <= parameters_->k_max * parameters_->k_max * variance &&
            isWithinGap(grown_.line, (*samples_)[grown_.members.back()], candidate, parameters_->max_gap);

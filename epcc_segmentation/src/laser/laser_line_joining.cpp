@@ -7,7 +7,7 @@
 namespace epcc {
 namespace {
 
-constexpr double kMostExcess = 13.8;  // of the squared errors: chi squared with two degrees of freedom, 1 in 1000
+constexpr double kMostExcess = 18.4;    // of the squared errors: chi squared with two degrees of freedom, 1 in 10 000
 constexpr double kMostUncertain = 4.0;  // sigma of one's prediction of the other, in sigma of a range
 constexpr double kBehind = 5.0;         // sigma: no stray point
 constexpr int kFewestAdopted = 3;       // beams
@@ -37,8 +37,9 @@ class Joining {
     for (; valid(i) && looked < n && piece.empty(); i += step, ++looked) {
       const int k = inside(i);
       const double range = grown.line.range(samples_[k].direction);
-      if (!(range > 0.0) || (grown.line.point(samples_[k].direction) -
-                             grown.line.point(samples_[end].direction)).norm() > parameters_.max_hidden)
+      if (!(range > 0.0) ||
+          (grown.line.point(samples_[k].direction) - grown.line.point(samples_[end].direction)).norm() >
+              parameters_.max_hidden)
         return false;
       if (!isHiding(grown.line, samples_[k])) continue;
       for (int next = i + step; valid(next); next += step) {
@@ -51,7 +52,8 @@ class Joining {
       }
       if (static_cast<int>(piece.size()) < kFewestAdopted) piece.clear();
       if (piece.empty()) continue;
-      const int from = samples_[step > 0 ? end : piece.front()].beam, to = samples_[step > 0 ? piece.front() : end].beam;
+      const int from = samples_[step > 0 ? end : piece.front()].beam,
+                to = samples_[step > 0 ? piece.front() : end].beam;
       if (!isHidden(grown.line, from, to)) return false;
     }
     return !piece.empty();

@@ -19,6 +19,11 @@ bool invert(const Eigen::Matrix2d& m, Eigen::Matrix2d& inverse) {
   return true;
 }
 
+/// Of the variance: grazing beams have more, for their own width and angle count there.
+double grazingFactor(const RangeLine& line, const Eigen::Vector2d& direction) {
+  return std::max(1.0, kProjectionFloor / line.squaredCosine(direction));
+}
+
 }  // namespace
 
 void RangeLineSums::add(const LaserSample& sample, double range, double sigma) {
@@ -54,8 +59,7 @@ bool rangeError(const RangeLine& line, const LaserSample& sample, RangeError& er
   if (!(inverse > 0.0)) return false;
   const double difference = sample.range - 1.0 / inverse;
   error.squared = difference * difference;
-  error.variance =
-      sample.sigma * sample.sigma * std::max(1.0, kProjectionFloor / line.squaredCosine(sample.direction));
+  error.variance = sample.sigma * sample.sigma * grazingFactor(line, sample.direction);
   return true;
 }
 
@@ -70,7 +74,7 @@ double fitRangeLine(const std::vector<LaserSample>& samples, const std::vector<i
       const LaserSample& sample = samples[i];
       const double range = line.range(sample.direction);
       if (!(range > 0.0) || !std::isfinite(range)) return -1.0;
-      const double sigma = noise.sigmaZ(range);
+      const double sigma = noise.sigmaZ(range) * std::sqrt(grazingFactor(line, sample.direction));
       const Eigen::Vector2d row = (-range * range / sigma) * sample.direction;
       const double error = (sample.range - range) / sigma;
       normal += row * row.transpose();

@@ -72,8 +72,9 @@ struct RangeError {
 /// False if the beam does not meet the line.
 bool rangeError(const RangeLine& line, const LaserSample& sample, RangeError& error);
 
-/// Most probable line of the samples: errors of ranges in units of sigma at the line's own range, by Gauss-Newton from
-/// `line`. Returns the sum of squared errors, or a negative number if there is no such line.
+/// Most probable line of the samples: errors of ranges in units of sigma at the line's own range, more for grazing
+/// beams as above, by Gauss-Newton from `line`. Returns the sum of squared errors, or a negative number if there is no
+/// such line.
 double fitRangeLine(const std::vector<LaserSample>& samples, const std::vector<int>& members, const SensorModel& noise,
                     RangeLine& line);
 
