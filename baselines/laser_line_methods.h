@@ -28,8 +28,8 @@ struct MethodLine {
 /// split at the farthest point until all are near, then neighbours that are one line are merged.
 std::vector<MethodLine> splitAndMergeLines(const LaserScan& scan, const LaserMethodParameters& parameters);
 
-/// PCL's RANSAC for SACMODEL_LINE on the points, again and again on those left. Inliers are parted at gaps; without that
-/// a line would go through all rooms.
+/// PCL's RANSAC for SACMODEL_LINE on the points, again and again on those left. Inliers are parted at gaps; without
+/// that a line would go through all rooms.
 std::vector<MethodLine> ransacLines(const LaserScan& scan, const LaserMethodParameters& parameters);
 
 /// Labels of the beams as in LaserLines.

@@ -11,7 +11,8 @@ std::vector<LaserPoint> laserPoints(const LaserScan& scan) {
   std::vector<LaserPoint> points;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i)
     if (scan.hasReturn(i))
-      points.push_back({scan.ranges[i] * Vector2(std::cos(scan.angle(i)), std::sin(scan.angle(i))), static_cast<int>(i)});
+      points.push_back(
+          {scan.ranges[i] * Vector2(std::cos(scan.angle(i)), std::sin(scan.angle(i))), static_cast<int>(i)});
   return points;
 }
 

@@ -70,7 +70,8 @@ class Words {
   std::size_t at_ = 1;  // behind the message's name
 };
 
-/// Of a sensor that says nothing but how many beams it has, over half a circle or 100 degrees; the first is on the right.
+/// Of a sensor that says nothing but how many beams it has, over half a circle or 100 degrees; the first is on the
+/// right.
 void setUsualAngles(LaserScan& scan) {
   const std::size_t n = scan.ranges.size();
   const bool narrow = n == 401 || n == 201 || n == 101;

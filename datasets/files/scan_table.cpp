@@ -28,17 +28,16 @@ std::string_view plainName(std::string_view name) {
 
 Columns findColumns(std::string_view heading, const std::string& path, long line) {
   Columns columns;
-  const std::pair<std::string_view, int Columns::*> known[] = {
-      {"time", &Columns::time},
-      {"timestamp", &Columns::time},
-      {"header.stamp", &Columns::time},
-      {"angle_min", &Columns::angle_min},
-      {"angle_increment", &Columns::angle_increment},
-      {"range_min", &Columns::range_min},
-      {"range_max", &Columns::range_max},
-      {"x", &Columns::x},
-      {"y", &Columns::y},
-      {"theta", &Columns::theta}};
+  const std::pair<std::string_view, int Columns::*> known[] = {{"time", &Columns::time},
+                                                               {"timestamp", &Columns::time},
+                                                               {"header.stamp", &Columns::time},
+                                                               {"angle_min", &Columns::angle_min},
+                                                               {"angle_increment", &Columns::angle_increment},
+                                                               {"range_min", &Columns::range_min},
+                                                               {"range_max", &Columns::range_max},
+                                                               {"x", &Columns::x},
+                                                               {"y", &Columns::y},
+                                                               {"theta", &Columns::theta}};
   const std::vector<std::string_view> names = fieldsOf(heading);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string_view name = plainName(names[i]);

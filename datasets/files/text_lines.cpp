@@ -43,8 +43,9 @@ bool TextLines::fill() {
   // A file that was cut off ends without an error of gzread, but with this code.
   if (count < 0 || (count == 0 && code == Z_BUF_ERROR))
     throw InputError(path_, "line " + std::to_string(number_ + 1),
-                     code == Z_BUF_ERROR ? "the packed file ends too early"
-                                         : "cannot be read, " + std::string(code == Z_ERRNO ? "the file fails" : words));
+                     code == Z_BUF_ERROR
+                         ? "the packed file ends too early"
+                         : "cannot be read, " + std::string(code == Z_ERRNO ? "the file fails" : words));
   at_ = 0;
   end_ = static_cast<std::size_t>(count);
   return count > 0;

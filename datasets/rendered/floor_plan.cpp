@@ -35,8 +35,8 @@ void addWall(FloorPlan& plan, const Vector2& from, const Vector2& to) {
 
 /// Through both corridors' ends and into every room.
 const std::vector<Vector2>& path() {
-  static const std::vector<Vector2> points = {{1.0, 4.5}, {3.0, 4.5},  {3.0, 1.6}, {3.0, 4.4}, {2.6, 4.6},
-                                              {2.6, 7.4}, {2.6, 4.5},  {9.4, 4.5}, {9.4, 1.5}, {9.4, 4.5},
+  static const std::vector<Vector2> points = {{1.0, 4.5},  {3.0, 4.5},  {3.0, 1.6},  {3.0, 4.4}, {2.6, 4.6},
+                                              {2.6, 7.4},  {2.6, 4.5},  {9.4, 4.5},  {9.4, 1.5}, {9.4, 4.5},
                                               {10.4, 4.6}, {10.4, 7.2}, {10.4, 4.5}, {13.0, 4.5}};
   return points;
 }
@@ -158,7 +158,7 @@ FloorPlan officeFloor(std::uint64_t seed) {
   }
   addWall(plan, {6.5, 0.0}, {6.5, 3.5});
   addWall(plan, {7.2, 5.5}, {7.2, 9.0});
-  addBox(plan, {5.0, 5.3}, 0.4, 0.4, 0.0);   // square pillars
+  addBox(plan, {5.0, 5.3}, 0.4, 0.4, 0.0);  // square pillars
   addBox(plan, {12.0, 3.7}, 0.4, 0.4, 0.0);
   plan.pillars = {{{4.4, 1.2}, 0.2}, {{11.6, 2.2}, 0.25}, {{5.2, 7.4}, 0.15}, {{12.6, 7.6}, 0.2}};
 

@@ -26,17 +26,17 @@ struct FloorPlan {
   std::vector<FloorPillar> pillars;
 };
 
-/// Four rooms off a corridor, 14 m by 9 m, with doors, round and square pillars; a dozen boxes stand where the seed puts
-/// them.
+/// Four rooms off a corridor, 14 m by 9 m, with doors, round and square pillars; a dozen boxes stand where the seed
+/// puts them.
 FloorPlan officeFloor(std::uint64_t seed);
 
 /// A laser range finder.
 struct LaserSensor {
   int beams = 720;
-  double angle_min = 0.0;                            ///< rad
-  double angle_increment = 0.008726646259971648;     ///< rad
-  double range_max = 30.0;                           ///< metres
-  double noise_a = 0.01, noise_b = 0.001;            ///< sigma_r = a + b r
+  double angle_min = 0.0;                         ///< rad
+  double angle_increment = 0.008726646259971648;  ///< rad
+  double range_max = 30.0;                        ///< metres
+  double noise_a = 0.01, noise_b = 0.001;         ///< sigma_r = a + b r
 
   /// Half a degree all round, as above.
   static LaserSensor allRound() { return {}; }
@@ -55,7 +55,7 @@ struct SeenFace {
 };
 
 struct FloorScan {
-  LaserRecord record;                ///< with noise
+  LaserRecord record;  ///< with noise
   std::vector<SeenFace> faces;
   std::vector<std::int32_t> labels;  ///< of each beam: 0 nothing flat, k the face faces[k - 1]
 };

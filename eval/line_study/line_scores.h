@@ -29,9 +29,10 @@ struct LineScores {
   std::vector<double> angle_errors;     ///< rad, absolute
   std::vector<double> distance_errors;  ///< metres, of the line from the middle of what is seen, absolute
   std::vector<double> line_nees;        ///< squared errors of (alpha, rho) by their covariance
-  std::vector<double> clear_line_nees;  ///< those of lines whose direction is known to 50 mrad, which errors hardly bend
-  std::vector<double> end_errors;       ///< metres, both ends
-  std::vector<double> end_nees;         ///< squared errors of end points by their covariance
+  std::vector<double>
+      clear_line_nees;             ///< those of lines whose direction is known to 50 mrad, which errors hardly bend
+  std::vector<double> end_errors;  ///< metres, both ends
+  std::vector<double> end_nees;    ///< squared errors of end points by their covariance
   double seconds = 0.0;
   long scans = 0;
 

@@ -17,7 +17,8 @@ namespace {
 
 constexpr Rgb kPaper{255, 255, 255}, kInk{30, 30, 30}, kPoint{165, 165, 165}, kPosition{60, 60, 60};
 constexpr int kLongSide = 1200, kMargin = 40, kTextScale = 2;  // pixels
-constexpr double kFarthestShare = 0.02;  // of the points may lie outside on each side: a few stray beams shrink the rest
+constexpr double kFarthestShare =
+    0.02;  // of the points may lie outside on each side: a few stray beams shrink the rest
 
 /// Metres to pixels.
 struct Layout {
@@ -59,7 +60,8 @@ Layout layOut(const LineMap& map) {
   layout.left = x.low;
   layout.top = y.high;
   const auto side = [&](const Interval& interval) {
-    return std::max(kLongSide / 4, 2 * kMargin + static_cast<int>(std::ceil(layout.scale * (interval.high - interval.low))));
+    return std::max(kLongSide / 4,
+                    2 * kMargin + static_cast<int>(std::ceil(layout.scale * (interval.high - interval.low))));
   };
   layout.width = side(x);
   layout.height = side(y);
@@ -198,15 +200,17 @@ ColorImage drawMap(const LineMap& map) {
 std::string mapSvg(const LineMap& map) {
   const Layout layout = layOut(map);
   const std::string size = std::to_string(layout.width) + " " + std::to_string(layout.height);
-  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=\"" +
-                     std::to_string(layout.width) + "\" height=\"" + std::to_string(layout.height) + "\">\n" +
-                     "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<g fill=\"none\" stroke-linecap=\"round\">\n";
+  std::string text =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=\"" + std::to_string(layout.width) +
+      "\" height=\"" + std::to_string(layout.height) + "\">\n" +
+      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<g fill=\"none\" stroke-linecap=\"round\">\n";
   const auto stroke = [](const Rgb& color, double width) {
     return "stroke=\"" + colorText(color) + "\" stroke-width=\"" + number(width) + "\"";
   };
   const auto dots = [&](const std::vector<Vector2>& points, const Rgb& color, double width) {
     text += "<path " + stroke(color, width) + " d=\"";
-    for (const auto& [x, y] : pixelsOf(points, layout)) text += "M" + std::to_string(x) + " " + std::to_string(y) + "h0";
+    for (const auto& [x, y] : pixelsOf(points, layout))
+      text += "M" + std::to_string(x) + " " + std::to_string(y) + "h0";
     text += "\"/>\n";
   };
   const auto line = [&](const Vector2& from, const Vector2& to, const std::string& look) {

@@ -38,7 +38,8 @@ std::string nameOf(const std::string& log) {
 std::string namesProblem(const std::vector<std::string>& logs) {
   std::set<std::string> names;
   for (const std::string& log : logs)
-    if (!names.insert(nameOf(log)).second) return "two logs are named " + nameOf(log) + ": their outputs would be the same";
+    if (!names.insert(nameOf(log)).second)
+      return "two logs are named " + nameOf(log) + ": their outputs would be the same";
   return {};
 }
 
@@ -96,9 +97,10 @@ std::string summary(const std::string& name, const LaserLog& log, const LogLines
   }
   const auto scans = static_cast<double>(log.records.size());
   char text[400];
-  std::snprintf(text, sizeof text, "%s: %zu %s, %zu returns, %s\n  %zu lines, %.1f a scan, with %.1f %% of the returns\n",
-                name.c_str(), log.records.size(), log.records.size() == 1 ? "scan" : "scans", returns, noise.c_str(),
-                count, static_cast<double>(count) / scans,
+  std::snprintf(text, sizeof text,
+                "%s: %zu %s, %zu returns, %s\n  %zu lines, %.1f a scan, with %.1f %% of the returns\n", name.c_str(),
+                log.records.size(), log.records.size() == 1 ? "scan" : "scans", returns, noise.c_str(), count,
+                static_cast<double>(count) / scans,
                 100.0 * static_cast<double>(taken) / static_cast<double>(std::max<std::size_t>(1, returns)));
   return text;
 }
@@ -120,13 +122,15 @@ int doLog(const std::string& path, const LinesOptions& options, std::ostream& ou
   const std::string name = nameOf(path), start = options.out + "/" + name;
   writeTextFile(start + "_lines.csv", lineListCsv(log, lines));
   writeMap(start + "_scan", scanMap(log.records[drawn], lines.scans[drawn], name + ", scan " + std::to_string(drawn)));
-  const bool posed = std::any_of(log.records.begin(), log.records.end(), [](const auto& r) { return r.pose.has_value(); });
+  const bool posed =
+      std::any_of(log.records.begin(), log.records.end(), [](const auto& r) { return r.pose.has_value(); });
   if (posed) writeMap(start + "_map", logMap(log, lines, name));
 
   out << summary(name, log, lines, noise_text);
   if (options.timing) {
     char text[80];
-    std::snprintf(text, sizeof text, "  %.3f ms a scan\n", 1e3 * lines.seconds / static_cast<double>(log.records.size()));
+    const double scans = static_cast<double>(log.records.size());
+    std::snprintf(text, sizeof text, "  %.3f ms a scan\n", 1e3 * lines.seconds / scans);
     out << text;
   }
   return log.problems.empty() ? kExitDone : kExitInput;

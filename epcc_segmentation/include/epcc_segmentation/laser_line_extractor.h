@@ -43,7 +43,8 @@ struct LaserLineParameters {
 /// number of beams.
 ///
 /// The sensor model's sigmaZ(r) is the error of a range r: SensorModel::polynomial(0, b, a) is sigma_r = a + b r, and
-/// estimateRangeNoise() measures it on scans. Its correlation length is not used. An object serves one thread at a time.
+/// estimateRangeNoise() measures it on scans. Its correlation length is not used. An object serves one thread at a
+/// time.
 class EPCC_CORE_EXPORT LaserLineExtractor {
  public:
   explicit LaserLineExtractor(const SensorModel& noise, const LaserLineParameters& parameters = {});

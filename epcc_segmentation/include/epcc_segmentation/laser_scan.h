@@ -19,7 +19,7 @@ struct LaserScan {
   double angle_increment = 0.0;  ///< from beam to beam, rad; negative for a scan that runs clockwise
   /// Of each beam, rad, in place of the two above; empty, or as many as ranges. Any spacing.
   std::vector<double> angles;
-  double range_min = 0.0;                                       ///< metres
+  double range_min = 0.0;                                      ///< metres
   double range_max = std::numeric_limits<double>::infinity();  ///< metres
 
   /// Of points (x, y) in the order in which they were measured, metres, seen from the origin. A point that is not
@@ -42,22 +42,23 @@ struct LaserLine {
   /// First and last beam that hit it, in the scan's order; first > last where it passes the seam of a full circle.
   int first = 0;
   int last = 0;
-  int points = 0;                    ///< beams that hit it; those between that see something else do not count
+  int points = 0;  ///< beams that hit it; those between that see something else do not count
   /// Where the first beam meets the line and where the last does (Eq. 21 along the beam), or the corner with the line
   /// beside it; the sensor's frame, metres.
   Vector2 start = Vector2::Zero();
   Vector2 end = Vector2::Zero();
-  bool starts_in_corner = false;  ///< `start` is where this line and the one before it cross
-  bool ends_in_corner = false;    ///< `end` is where this line and the next one cross
-  double alpha = 0.0;                ///< direction of the normal that points away from the sensor, rad, (-pi, pi]
-  double rho = 0.0;                  ///< distance of the line from the sensor, metres, positive
+  bool starts_in_corner = false;         ///< `start` is where this line and the one before it cross
+  bool ends_in_corner = false;           ///< `end` is where this line and the next one cross
+  double alpha = 0.0;                    ///< direction of the normal that points away from the sensor, rad, (-pi, pi]
+  double rho = 0.0;                      ///< distance of the line from the sensor, metres, positive
   Matrix2 covariance = Matrix2::Zero();  ///< of (alpha, rho): rad^2, rad m, m^2
   /// Of `start` and `end`, m^2: that of the line where it is met, and along the line what lies between two beams, for
   /// the surface ends anywhere there; in a corner that of the crossing.
   Matrix2 start_covariance = Matrix2::Zero();
   Matrix2 end_covariance = Matrix2::Zero();
-  double variance = 0.0;     ///< of the points' distances from the line, m^2
-  double chi_squared = 0.0;  ///< squared range errors in units of the noise model, mean by degrees of freedom; 1 if both agree
+  double variance = 0.0;  ///< of the points' distances from the line, m^2
+  double chi_squared =
+      0.0;  ///< squared range errors in units of the noise model, mean by degrees of freedom; 1 if both agree
 
   double length() const { return (end - start).norm(); }
 };

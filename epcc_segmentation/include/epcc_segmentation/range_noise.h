@@ -22,8 +22,8 @@ struct RangeNoiseEstimate {
 };
 
 /// Fits lines to short windows of consecutive beams and reads the error off their residuals: in each range of distances
-/// a low quantile of them, for corners, jumps and clutter only enlarge residuals, corrected for what a low quantile is of
-/// noise alone. a and b, neither below zero, are fitted to these.
+/// a low quantile of them, for corners, jumps and clutter only enlarge residuals, corrected for what a low quantile is
+/// of noise alone. a and b, neither below zero, are fitted to these.
 EPCC_CORE_EXPORT RangeNoiseEstimate estimateRangeNoise(const std::vector<LaserScan>& scans);
 
 }  // namespace epcc

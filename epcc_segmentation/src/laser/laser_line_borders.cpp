@@ -8,11 +8,11 @@ namespace epcc {
 namespace {
 
 constexpr int kRounds = 3;
-// A point at the end of a line must be nearer than others, in sigma^2: it may belong to a surface that comes next and is
-// too small to be a line.
+// A point at the end of a line must be nearer than others, in sigma^2: it may belong to a surface that comes next and
+// is too small to be a line.
 constexpr double kMostAtEnd = 4.0;
 constexpr double kStray = 25.0;  // sigma^2: a point no farther off is not taken, but it is no opening in the line
-constexpr int kFewest = 4;  // points with which a line lives on until the last round
+constexpr int kFewest = 4;       // points with which a line lives on until the last round
 
 /// Squared error in sigma^2, no more than `most`.
 double cappedError(const RangeLine& line, const LaserSample& sample, double most) {
@@ -77,7 +77,8 @@ int strayPoints(const std::vector<LaserSample>& samples, const RangeLine& line, 
 void trimEnds(const std::vector<LaserSample>& samples, double most, GrownLaserLine& grown) {
   std::vector<int>& members = grown.members;
   members.resize(members.size() - strayPoints(samples, grown.line, members.rbegin(), members.rend(), most));
-  members.erase(members.begin(), members.begin() + strayPoints(samples, grown.line, members.begin(), members.end(), most));
+  members.erase(members.begin(),
+                members.begin() + strayPoints(samples, grown.line, members.begin(), members.end(), most));
 }
 
 void dropBelow(std::size_t points, std::vector<GrownLaserLine>& lines) {

@@ -11,7 +11,7 @@
 namespace epcc {
 namespace {
 
-constexpr int kCornerBeams = 3;       // that may lie between two lines which share a corner
+constexpr int kCornerBeams = 3;        // that may lie between two lines which share a corner
 constexpr double kCornerSigmas = 3.0;  // from the end that the beams show
 
 /// Position and covariance of an end: where `beam` meets the line, and along it up to where the next one would.

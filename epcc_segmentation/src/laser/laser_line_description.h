@@ -8,8 +8,8 @@
 
 namespace epcc {
 
-/// Fits the line once more and describes it. The covariance is that of the noise model, or of the errors themselves where
-/// they are larger by more than chance; grown.line is left with it.
+/// Fits the line once more and describes it. The covariance is that of the noise model, or of the errors themselves
+/// where they are larger by more than chance; grown.line is left with it.
 LaserLine describeLine(const LaserScan& scan, const std::vector<LaserSample>& samples, const SensorModel& noise,
                        GrownLaserLine& grown);
 

@@ -16,8 +16,8 @@ constexpr double kShare = 0.3;       // the quantile of the windows' mean square
 constexpr double kOfNoise = 0.6673;  // that quantile of noise alone: chi squared with 7 degrees of freedom over 7
 constexpr int kBinsPerOctave = 3;
 constexpr std::size_t kFewestWindows = 20;  // of a bin
-constexpr double kFewestCosine = 0.3;       // squared, of a window's beams and its line's normal: grazing beams are worse
-constexpr double kSmallest = 1e-4;          // metres
+constexpr double kFewestCosine = 0.3;  // squared, of a window's beams and its line's normal: grazing beams are worse
+constexpr double kSmallest = 1e-4;     // metres
 
 struct Bin {
   double range, sigma;
