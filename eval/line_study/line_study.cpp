@@ -10,6 +10,7 @@
 #include "baselines/laser_line_methods.h"
 #include "datasets/support/quantile.h"
 #include "epcc_segmentation/range_noise.h"
+#include "eval/line_study/image_column_lines.h"
 #include "eval/report/table.h"
 
 namespace epcc {
@@ -35,13 +36,14 @@ Method epccMethod(const SensorModel& noise, const LaserLineParameters& parameter
 
 using LineMethod = std::vector<MethodLine> (*)(const LaserScan&, const LaserMethodParameters&);
 
+Found foundBy(const LaserScan& scan, const std::vector<MethodLine>& lines) {
+  Found found{beamLabels(scan, lines), {}};
+  for (const MethodLine& line : lines) found.lines.push_back({line.alpha, line.rho, {}});
+  return found;
+}
+
 Method otherMethod(LineMethod method, const LaserMethodParameters& parameters) {
-  return [=](const LaserScan& scan) {
-    const std::vector<MethodLine> lines = method(scan, parameters);
-    Found found{beamLabels(scan, lines), {}};
-    for (const MethodLine& line : lines) found.lines.push_back({line.alpha, line.rho, {}});
-    return found;
-  };
+  return [=](const LaserScan& scan) { return foundBy(scan, method(scan, parameters)); };
 }
 
 LineScores scoreMethod(const Method& method, const std::vector<FloorScan>& scans) {
@@ -97,6 +99,10 @@ std::vector<LineStudyRow> runLineStudy(const LineStudyOptions& options) {
         {"Split-and-Merge", otherMethod(splitAndMergeLines, splitting)},
         {"PCL RANSAC line", otherMethod(ransacLines, sampling)}};
     for (const auto& [method_name, method] : methods) rows.push_back({name, method_name, scoreMethod(method, scans)});
+    // An image's column sees less than half a circle.
+    if (scans.front().record.scan.isFullCircle()) continue;
+    const Method column = [&](const LaserScan& scan) { return foundBy(scan, imageColumnLines(scan, noise)); };
+    rows.push_back({name, "Algorithm 1 of image columns", scoreMethod(column, scans)});
   }
   return rows;
 }

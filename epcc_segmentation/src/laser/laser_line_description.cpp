@@ -11,6 +11,9 @@
 namespace epcc {
 namespace {
 
+// Mean square, in steps from beam to beam, of where a surface ends behind its last point: anywhere in the next step,
+// 1/3, and in one case of twenty, where that point was trimmed, anywhere in the one behind it, 7/3.
+constexpr double kEndVariance = 0.43;
 constexpr int kCornerBeams = 3;        // that may lie between two lines which share a corner
 constexpr double kCornerSigmas = 3.0;  // from the end that the beams show
 
@@ -21,7 +24,7 @@ void setEnd(const RangeLine& line, const Eigen::Vector2d& beam, const Eigen::Vec
   covariance = line.rangeVariance(beam) * beam * beam.transpose();
   if (!(line.range(next) > 0.0)) return;
   const Eigen::Vector2d step = line.point(next) - line.point(beam);
-  covariance += step * step.transpose() / 3.0;  // mean square of what is evenly distributed from 0 to step
+  covariance += kEndVariance * step * step.transpose();
 }
 
 /// Of (alpha, rho), from that of q.
