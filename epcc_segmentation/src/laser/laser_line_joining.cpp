@@ -10,7 +10,7 @@ namespace {
 constexpr double kMostExcess = 18.4;    // of the squared errors: chi squared with two degrees of freedom, 1 in 10 000
 constexpr double kMostUncertain = 4.0;  // sigma of one's prediction of the other, in sigma of a range
 constexpr double kBehind = 5.0;         // sigma: no stray point
-constexpr int kFewestAdopted = 3;       // beams
+constexpr int kFewestAdopted = 4;       // beams
 constexpr double kInFront = 8.0;        // sigma, of what hides a short piece
 
 struct Pair {
@@ -34,13 +34,15 @@ class Joining {
     const auto inside = [&](int k) { return circle_ ? (k % n + n) % n : k; };
     const auto valid = [&](int k) { return circle_ || (k >= 0 && k < n); };
     const double most = 2.0 * parameters_.k_max * parameters_.k_max;
+    // Few beams prove little: they are no farther on than what is known of the line is long.
+    const Eigen::Vector2d last = grown.line.point(samples_[end].direction);
+    const Eigen::Vector2d other =
+        grown.line.point(samples_[step > 0 ? grown.members.front() : grown.members.back()].direction);
+    const double reach = std::min(parameters_.max_hidden, (last - other).norm());
     for (; valid(i) && looked < n && piece.empty(); i += step, ++looked) {
       const int k = inside(i);
       const double range = grown.line.range(samples_[k].direction);
-      if (!(range > 0.0) ||
-          (grown.line.point(samples_[k].direction) - grown.line.point(samples_[end].direction)).norm() >
-              parameters_.max_hidden)
-        return false;
+      if (!(range > 0.0) || (grown.line.point(samples_[k].direction) - last).norm() > reach) return false;
       if (!isHiding(grown.line, samples_[k])) continue;
       for (int next = i + step; valid(next); next += step) {
         const int candidate = inside(next);

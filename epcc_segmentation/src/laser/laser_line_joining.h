@@ -18,8 +18,9 @@ namespace epcc {
 void joinHiddenLines(const std::vector<LaserSample>& samples, const LaserScan& scan, const SensorModel& noise,
                      const LaserLineParameters& parameters, bool circle, std::vector<GrownLaserLine>& lines);
 
-/// Gives lines the pieces of their wall that are too short to be lines: three beams in a row or more that no line has,
-/// all on the line, behind something that is in front of it, under the conditions of joinHiddenLines.
+/// Gives lines the pieces of their wall that are too short to be lines: four beams in a row or more that no line has,
+/// all on the line, behind something that is in front of it, under the conditions of joinHiddenLines
+/// and no farther on than what is known of the line is long.
 void adoptHiddenPieces(const std::vector<LaserSample>& samples, const LaserScan& scan, const SensorModel& noise,
                        const LaserLineParameters& parameters, bool circle, std::vector<GrownLaserLine>& lines);
 
