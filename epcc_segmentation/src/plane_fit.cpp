@@ -2,7 +2,6 @@
 // Moments of the labelled pixels, planes with their covariance, labels in order of size.
 #include "epcc_segmentation/plane_fit.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -10,9 +9,9 @@
 #include "cloud_points.h"
 #include "geometry/sensor_cloud.h"
 #include "label_table.h"
-#include "metric/recursive_statistics.h"
 #include "parallel_for.h"
 #include "plane_fit_samples.h"
+#include "point_moments.h"
 #include "thin_out.h"
 
 namespace epcc {
@@ -24,82 +23,6 @@ constexpr int kBands = 8;
 
 // A plane with fewer samples on the grid is fitted to all of its pixels.
 constexpr double kFewestSamples = 100.0;
-
-/// Weighted sums of points.
-struct PointSums {
-  double one = 0.0;
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-
-  /// Of the lanes' sums, about an origin that lies `shift` before theirs.
-  void add(const double (*lanes)[kSumLanes], const Eigen::Vector3d& shift) {
-    double s[kSums];
-    for (int k = 0; k < kSums; ++k) s[k] = (lanes[k][0] + lanes[k][2]) + (lanes[k][1] + lanes[k][3]);
-    const Eigen::Vector3d p(s[1], s[2], s[3]);
-    Eigen::Matrix3d pp;
-    pp << s[4], s[5], s[6], s[5], s[7], s[8], s[6], s[8], s[9];
-    one += s[0];
-    first += p + s[0] * shift;
-    second += pp + p * shift.transpose() + shift * p.transpose() + s[0] * shift * shift.transpose();
-  }
-};
-
-/// Sums over a plane's points about its first point.
-struct PointMoments {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  PointSums plain;
-  PointSums weighted;
-
-  void add(const LabelSums& sums) {
-    if (!sums.started) return;
-    const Eigen::Vector3d own(sums.origin[0], sums.origin[1], sums.origin[2]);
-    if (plain.one == 0.0) origin = own;
-    plain.add(sums.lanes, own - origin);
-    weighted.add(sums.lanes + kSums, own - origin);
-  }
-};
-
-/// Covariance of (normal, d) of the weighted orthogonal fit through `centre`: the normal tilts about the two
-/// in-plane axes, the offset moves along it. `unit_variance` is the residual variance of a point of unit weight.
-Eigen::Matrix4d coefficientsCovariance(const Eigen::Matrix3d& axes, const Eigen::Vector3d& scatter, double weight,
-                                       const Eigen::Vector3d& centre, double unit_variance) {
-  Eigen::Matrix3d normal_covariance = Eigen::Matrix3d::Zero();
-  for (int k = 1; k < 3; ++k)
-    if (scatter(k) > 0.0) normal_covariance += (unit_variance / scatter(k)) * axes.col(k) * axes.col(k).transpose();
-  Eigen::Matrix4d covariance;
-  covariance.topLeftCorner<3, 3>() = normal_covariance;
-  covariance.topRightCorner<3, 1>() = -normal_covariance * centre;
-  covariance.bottomLeftCorner<1, 3>() = covariance.topRightCorner<3, 1>().transpose();
-  covariance(3, 3) = centre.dot(normal_covariance * centre) + unit_variance / weight;
-  return covariance;
-}
-
-/// `samples_per_independent`: neighbouring errors are alike, N samples are worth N / that many independent ones.
-Plane planeOf(const PointMoments& moments, long pixels, double samples_per_independent) {
-  Plane plane;
-  const double n = moments.plain.one;
-  const double weight = moments.weighted.one;
-  const Eigen::Vector3d mean = moments.plain.first / n;
-  plane.pixel_count = static_cast<std::size_t>(pixels);
-  plane.centroid = moments.origin + mean;
-  plane.points_covariance = moments.plain.second / n - mean * mean.transpose();
-
-  const Eigen::Vector3d weighted_mean = moments.weighted.first / weight;
-  const Eigen::Matrix3d scatter = moments.weighted.second - weight * weighted_mean * weighted_mean.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  const Eigen::Vector3d centre = moments.origin + weighted_mean;
-  if (normal.dot(centre) > 0.0) normal = -normal;  // towards the sensor
-  plane.coefficients << normal, -normal.dot(centre);
-
-  const double mean_distance = plane.signedDistance(plane.centroid);
-  const double spread = varianceAlong(plane.points_covariance, normal);
-  plane.rms = std::sqrt(spread + mean_distance * mean_distance);
-  const double residual = std::max(0.0, solver.eigenvalues()(0)) / std::max(1.0, n - 3.0);
-  plane.coefficients_covariance = coefficientsCovariance(solver.eigenvectors(), solver.eigenvalues(), weight, centre,
-                                                         residual * samples_per_independent);
-  return plane;
-}
 
 int samplesAlong(int size, const FitSamples& samples) {
   return std::max(0, (size - samples.offset + samples.stride - 1) / samples.stride);
@@ -291,7 +214,7 @@ void PlaneFitter::listPlanes(const SensorModel& sensor, const FitSamples& sample
     for (const Band& band : bands_) moments.add(band.sums[i]);
     if (moments.plain.one == 0.0) continue;
     const double per_independent = sensor.pixelsPerSample() / (is_sparse_[i] != 0 ? 1.0 : area);
-    planes.push_back(planeOf(moments, pixels_[i], std::max(1.0, per_independent)));
+    planes.push_back(planeOf(moments, static_cast<std::size_t>(pixels_[i]), std::max(1.0, per_independent)));
     if (confidence_ != nullptr) planes.back().confidence = confidence_[i];
     new_label_[i + 1] = static_cast<std::int32_t>(planes.size());
   }

@@ -172,7 +172,7 @@ void clusterStrip(const ScanStrip& strip, const ClusteringRule& rule, float* mem
     result.count[line] = 0;
     memory = lines.buffers[line].place(memory, rule);
   }
-  for (int line = 0; line < kStripLines; line += kSides * kLanes)
+  for (int line = 0; line < strip.lines; line += kSides * kLanes)
     if (strip.x != nullptr)
       clusterSides<true>(lines, line);
     else

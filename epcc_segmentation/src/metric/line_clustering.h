@@ -35,6 +35,7 @@ struct ClusteringRule {
 /// not measured.
 struct ScanStrip {
   int height = 0;
+  int lines = kStripLines;  ///< lines behind them are left alone, up to the width of the vectors
   std::size_t stride = 0;
   const float* z = nullptr;  ///< forward; of a depth image 0 where nothing is measured, and within farthestDepth()
   /// Of a depth image: sqrt(1 + u^2) of every line and v of every row; else null.

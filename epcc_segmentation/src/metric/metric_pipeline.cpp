@@ -13,32 +13,6 @@
 
 namespace epcc {
 
-namespace {
-
-/// A record of Algorithm 1 in double precision; `direction` is that of t1.
-ClusteredLine lineOf(const LineRecord& record, const Eigen::Vector3d& direction) {
-  ClusteredLine line;
-  line.first = record.first;
-  line.last = record.last;
-  LinePrototype& p = line.prototype;
-  p.statistics.n = static_cast<int>(record.n);
-  p.statistics.mean = Eigen::Vector2d(record.mean[0], record.mean[1]);
-  p.statistics.covariance << record.scatter[0], record.scatter[2], record.scatter[2], record.scatter[1];
-  p.statistics.covariance /= p.statistics.n - 1.0;
-  p.variance = static_cast<double>(record.residuals) / (p.statistics.n - 1.0);
-  p.normal = Eigen::Vector2d(record.normal[0], record.normal[1]).normalized();
-  // Eqs. 3-8 inverted: z = t1 / sqrt(1 + u^2), x = u z, y = t2.
-  const auto lift = [&direction, &p](const float* sample) {
-    const Eigen::Vector2d t = p.project(Eigen::Vector2d(sample[0], sample[1]));
-    return Eigen::Vector3d(t.x() * direction.x(), t.y(), t.x() * direction.z());
-  };
-  line.a = lift(record.first_sample);
-  line.b = lift(record.last_sample);
-  return line;
-}
-
-}  // namespace
-
 MetricPipeline::MetricPipeline(const Parameters& parameters, const SensorModel& sensor)
     : parameters_(parameters), sensor_(sensor), plane_clustering_(parameters.paper, sensor) {}
 
@@ -51,7 +25,7 @@ void MetricPipeline::configure(const Parameters& parameters, const SensorModel& 
 
 void MetricPipeline::clusterLines(const DepthFrame& view) {
   strips_.begin(view);
-  capacity_ = view.height() / rule_.minSamples() + 1;
+  capacity_ = StripLines::capacity(view.height(), rule_);
   line_segments_.resize(static_cast<std::size_t>(view.width()));
   numbers_.resize(static_cast<std::size_t>(view.height()) * strips_.paddedWidth());
   const int threads = std::min(parameters_.threads, strips_.count());
@@ -72,22 +46,15 @@ void MetricPipeline::clusterLines(const DepthFrame& view) {
 
 void MetricPipeline::clusterStrip(const DepthFrame& view, int strip, StripMemory& memory) {
   const int first = strip * kStripLines;
-  memory.records.resize(static_cast<std::size_t>(capacity_) * kStripLines);
-  StripSegments found;
-  found.capacity = capacity_;
-  found.records = memory.records.data();
-  found.first_number = numberOf(first, 0);
-  found.number_step = static_cast<std::int32_t>(numberStride());
-  found.numbers = numbers_.data() + first;
-  found.number_stride = strips_.paddedWidth();
-  epcc::clusterLines(strips_.strip(view, strip, memory.samples), rule_, memory.workspace, found);
+  const SegmentNumbers numbers{numberOf(first, 0), static_cast<std::int32_t>(numberStride()), numbers_.data() + first,
+                               strips_.paddedWidth()};
+  memory.lines.cluster(strips_.strip(view, strip, memory.samples), rule_, numbers);
   const int lines = std::min(kStripLines, view.width() - first);
   for (int i = 0; i < lines; ++i) {
     std::vector<ClusteredLine>& segments = line_segments_[static_cast<std::size_t>(first + i)];
     segments.clear();
-    if (found.count[i] == 0) continue;
-    const Eigen::Vector3d direction = strips_.direction(view, first + i, found.direction[i]);
-    for (int k = 0; k < found.count[i]; ++k) segments.push_back(lineOf(found.records[i * capacity_ + k], direction));
+    if (memory.lines.count(i) == 0) continue;
+    memory.lines.list(i, strips_.direction(view, first + i, memory.lines.directionSum(i)), segments);
   }
 }
 

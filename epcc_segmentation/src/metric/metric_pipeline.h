@@ -14,6 +14,7 @@
 #include "metric/ordered_turns.h"
 #include "metric/plane_clustering.h"
 #include "metric/scan_strips.h"
+#include "metric/strip_lines.h"
 
 namespace epcc {
 
@@ -51,8 +52,7 @@ class MetricPipeline {
   /// What a thread needs for its strips.
   struct StripMemory {
     std::vector<float> samples;
-    std::vector<LineRecord> records;
-    LineWorkspace workspace;
+    StripLines lines;
   };
   void clusterStrip(const DepthFrame& view, int strip, StripMemory& memory);
   void clusterPlanesOf(int strip);

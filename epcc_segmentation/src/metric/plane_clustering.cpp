@@ -15,6 +15,7 @@ namespace epcc {
 namespace {
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 constexpr double kBeyond = 1.0 + 1e-9;     // a cost that is larger than the limit, whatever the rounding
+constexpr std::size_t kForgottenLines = 32;  // at once: what is kept has to move
 constexpr double kMinMeanDistance = 1e-6;  // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
 
 // Eq. 26 of an endpoint at `ratio` times the mean distance.
@@ -69,6 +70,7 @@ void PlaneClustering::begin(Projection projection) {
   labels_.clear();
   lines_.clear();
   planes_.clear();
+  free_planes_.clear();
   last_refused_.clear();
 }
 
@@ -93,7 +95,7 @@ void PlaneClustering::addLine(const std::vector<ClusteredLine>& line_segments) {
 
 void PlaneClustering::finish() {
   for (auto& label : labels_)
-    if (label != kUnlabelled && planes_[static_cast<std::size_t>(label)].segments < parameters_.min_segments)
+    if (label >= 0 && planes_[static_cast<std::size_t>(label)].segments < parameters_.min_segments)
       label = kUnlabelled;
 }
 
@@ -152,7 +154,7 @@ int PlaneClustering::bestPlane(const Segment& segment, std::size_t line) {
     double best_cost = limit;
     int best = kUnlabelled;
     for (std::size_t j = previous.begin; j < previous.end; ++j) {
-      if (labels_[j] == kUnlabelled || isBeyondReach(segment, segments_[j])) continue;
+      if (labels_[j] < 0 || isBeyondReach(segment, segments_[j])) continue;
       const auto plane = static_cast<std::size_t>(labels_[j]);
       if (last_refused_[plane] == &segment) continue;  // by another of its segments
       const double c = cost(planes_[plane], segment, best_cost);
@@ -204,15 +206,46 @@ void PlaneClustering::addToPlane(int plane, const Segment& segment) {
 // All four endpoints count alike: there is no prototype yet to take distances to.
 void PlaneClustering::startPlane(std::size_t first, std::size_t second) {
   PlanePrototype prototype;
+  const int plane = freePlace();
   for (const std::size_t i : {first, second}) {
     prototype.statistics.add(segments_[i].a);
     prototype.statistics.add(segments_[i].b);
-    labels_[i] = static_cast<int>(planes_.size());
+    labels_[i] = plane;
   }
   prototype.refit();
   prototype.segments = 2;
-  planes_.push_back(prototype);
+  planes_[static_cast<std::size_t>(plane)] = prototype;
+}
+
+int PlaneClustering::freePlace() {
+  if (!free_planes_.empty()) {
+    const int plane = free_planes_.back();
+    free_planes_.pop_back();
+    return plane;
+  }
+  planes_.emplace_back();
   last_refused_.push_back(nullptr);
+  return static_cast<int>(planes_.size()) - 1;
+}
+
+void PlaneClustering::release(int plane) {
+  std::replace(labels_.begin(), labels_.end(), plane, kReleased);
+  last_refused_[static_cast<std::size_t>(plane)] = nullptr;
+  free_planes_.push_back(plane);
+}
+
+void PlaneClustering::forgetOldLines() {
+  const auto kept = static_cast<std::size_t>(parameters_.expert.planes.look_back);
+  if (lines_.size() < 2 * kept + kForgottenLines) return;
+  const auto lines = static_cast<std::ptrdiff_t>(lines_.size() - kept);
+  const std::size_t segments = lines_[static_cast<std::size_t>(lines)].begin;
+  lines_.erase(lines_.begin(), lines_.begin() + lines);
+  for (Line& line : lines_) {
+    line.begin -= segments;
+    line.end -= segments;
+  }
+  segments_.erase(segments_.begin(), segments_.begin() + static_cast<std::ptrdiff_t>(segments));
+  labels_.erase(labels_.begin(), labels_.begin() + static_cast<std::ptrdiff_t>(segments));
 }
 
 }  // namespace epcc

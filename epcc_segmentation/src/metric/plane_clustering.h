@@ -34,6 +34,7 @@ struct PlanePrototype {
 class PlaneClustering {
  public:
   static constexpr int kUnlabelled = -1;
+  static constexpr int kReleased = -2;
 
   PlaneClustering(const PaperParameters& parameters, const SensorModel& sensor) : sensor_(sensor) {
     configure(parameters, sensor);
@@ -50,6 +51,16 @@ class PlaneClustering {
   /// Label of each segment fed so far, in order of feeding: index into planes() or kUnlabelled.
   const std::vector<int>& labels() const { return labels_; }
   const std::vector<PlanePrototype>& planes() const { return planes_; }
+
+  // For a stream, whose lines and planes do not stay. A frame calls none of these.
+
+  /// Labels of the segments of the line `back` lines before the last one, at most look_back; a later line may label
+  /// those that are not yet.
+  const int* labelsOfLine(std::size_t back) const { return labels_.data() + lines_[lines_.size() - 1 - back].begin; }
+  /// The plane takes no more segments: those that it has become kReleased, and another plane gets its place.
+  void release(int plane);
+  /// Forgets, now and then, the lines that no coming one looks back to; labels() are those of the rest.
+  void forgetOldLines();
 
  private:
   struct Segment {
@@ -72,6 +83,7 @@ class PlaneClustering {
   std::size_t startPartner(const Segment& segment, std::size_t line) const;
   void addToPlane(int plane, const Segment& segment);
   void startPlane(std::size_t first, std::size_t second);
+  int freePlace();
 
   PaperParameters parameters_;
   SensorModel sensor_;
@@ -83,6 +95,7 @@ class PlaneClustering {
   std::vector<int> labels_;
   std::vector<Line> lines_;
   std::vector<PlanePrototype> planes_;
+  std::vector<int> free_planes_;              // released
   std::vector<const Segment*> last_refused_;  // of each plane, by Eq. 23
 };
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the scan lines of a stream see the world.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/export.h"
+#include "epcc_segmentation/projection.h"
+
+namespace epcc {
+
+/// The rays of a stream's scan lines.
+class EPCC_CORE_EXPORT StreamGeometry {
+ public:
+  enum class Kind { CameraColumns, CameraRows, Scanner, Points };
+
+  /// A camera read column by column. A width of 0 is not known: any index from 0 to 1 000 000 is a column.
+  static StreamGeometry cameraColumns(const PinholeCamera& camera);
+  /// A camera read row by row; a height of 0 is not known.
+  static StreamGeometry cameraRows(const PinholeCamera& camera);
+  /// A spinning scanner: the elevation of each ring above the horizon in radians, rising or falling from ring to ring,
+  /// and what the azimuth changes by from column to column, radians: positive to the left, counter-clockwise seen from
+  /// above, negative clockwise. All rays of a column have its azimuth.
+  static StreamGeometry scanner(const std::vector<double>& elevations, double azimuth_step);
+  /// Columns of an organized cloud with `height` points each. `azimuth_step` says how long a turn is, 0: there is none.
+  static StreamGeometry points(int height, Projection projection, double azimuth_step = 0.0);
+
+  Kind kind() const { return kind_; }
+  /// Samples of a scan line.
+  int height() const { return height_; }
+  const PinholeCamera& camera() const { return camera_; }
+  const std::vector<double>& elevations() const { return elevations_; }
+  double azimuthStep() const { return azimuth_step_; }
+  Projection projection() const { return projection_; }
+  /// Scan lines of a camera, 0: not known or no camera's.
+  int lineCount() const;
+  /// Columns of a turn, 0: not known.
+  int columnsOfTurn() const;
+
+  /// Empty if usable, else what is wrong in words.
+  std::string validate() const;
+
+ private:
+  Kind kind_ = Kind::Points;
+  int height_ = 0;
+  PinholeCamera camera_;
+  std::vector<double> elevations_;
+  double azimuth_step_ = 0.0;
+  Projection projection_ = Projection::Perspective;
+};
+
+}  // namespace epcc
