@@ -2,7 +2,9 @@
 // A spinning scanner in a room, for tests of streams: rings, columns and their ranges.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -10,17 +12,18 @@
 
 namespace epcc::test {
 
-/// `rings` from 15 degrees up to 25 degrees down, `columns` a turn, clockwise as most do. It stands 1.5 m above the
+/// `rings` from 15 degrees up to `lowest` degrees down, `columns` a turn, clockwise as most do. It stands 1.5 m above the
 /// floor of a room of 8 x 6 m, whose walls are `height` metres high; what is above them is open sky.
 struct SpinningScanner {
   int rings = 32;
   int columns = 720;
+  double lowest = 25.0;
   double wall_height = 3.0;
   double noise = 0.0;  // metres, white
 
   std::vector<double> elevations() const {
     std::vector<double> result;
-    for (int i = 0; i < rings; ++i) result.push_back((15.0 - 40.0 * i / (rings - 1)) * M_PI / 180.0);
+    for (int i = 0; i < rings; ++i) result.push_back((15.0 - (15.0 + lowest) * i / (rings - 1)) * M_PI / 180.0);
     return result;
   }
   double azimuthStep() const { return -2.0 * M_PI / columns; }

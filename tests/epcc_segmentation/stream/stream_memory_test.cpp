@@ -77,10 +77,10 @@ TEST(StreamMemory, StaysTheSameOverTenMillionColumns) {
   ASSERT_TRUE(stream.finish());
   EXPECT_EQ(count.lines, kColumns);
   const std::int64_t turns = kColumns / endless.scanner().columns;
-  EXPECT_GE(count.planes, 5 * turns) << "four walls and the floor";
-  EXPECT_LE(count.planes, 8 * turns);
+  EXPECT_GE(count.planes, 4 * turns) << "four walls";
+  EXPECT_LE(count.planes, 6 * turns);
   EXPECT_EQ(count.last_id, count.planes);
-  EXPECT_GT(count.labelled, kColumns * 16 * 8 / 10);
+  EXPECT_GT(count.labelled, kColumns * 16 * 7 / 10) << "the rest is sky";
 }
 
 // Nothing but clutter, gaps, and one that nobody listens to.
@@ -92,8 +92,9 @@ TEST(StreamMemory, StaysTheSameWithoutAPlaneAndWithoutAListener) {
     columns.emplace_back();
     double range = 5.0;
     for (int ring = 0; ring < scanner.rings; ++ring) {
-      if (random() % 12 == 0) range = 1.0 + random() % 1000 * 0.02;
-      columns.back().push_back(random() % 20 == 0 ? NAN : static_cast<float>(range + random() % 100 * 0.0001));
+      if (random() % 12 == 0) range = 1.0 + 0.02 * static_cast<double>(random() % 1000);
+      const double noisy = range + 0.0001 * static_cast<double>(random() % 100);
+      columns.back().push_back(random() % 20 == 0 ? NAN : static_cast<float>(noisy));
     }
   }
   StreamOptions options;
