@@ -37,14 +37,17 @@ void countInto(Count& count, ScanLineStream& stream) {
   });
 }
 
-/// Some turns of a scanner, over and over, each column with the next index.
+/// Some turns of a scanner, over and over, each column with the next index. Behind it the room is open.
 class EndlessScanner {
  public:
   EndlessScanner() {
     std::mt19937 random(1);
     scanner_.rings = 16;
     scanner_.noise = 0.003;
-    for (std::int64_t c = 0; c < 4 * scanner_.columns; ++c) columns_.push_back(scanner_.ranges(c, random));
+    for (std::int64_t c = 0; c < 4 * scanner_.columns; ++c) {
+      columns_.push_back(scanner_.ranges(c, random));
+      if (std::abs(scanner_.azimuth(c)) > 0.5 * M_PI) columns_.back().assign(columns_.back().size(), NAN);
+    }
   }
   const test::SpinningScanner& scanner() const { return scanner_; }
   bool add(std::int64_t index, ScanLineStream& stream) const {
@@ -77,10 +80,10 @@ TEST(StreamMemory, StaysTheSameOverTenMillionColumns) {
   ASSERT_TRUE(stream.finish());
   EXPECT_EQ(count.lines, kColumns);
   const std::int64_t turns = kColumns / endless.scanner().columns;
-  EXPECT_GE(count.planes, 4 * turns) << "four walls";
-  EXPECT_LE(count.planes, 6 * turns);
+  EXPECT_GE(count.planes, 3 * turns) << "three walls";
+  EXPECT_LE(count.planes, 5 * turns);
   EXPECT_EQ(count.last_id, count.planes);
-  EXPECT_GT(count.labelled, kColumns * 16 * 7 / 10) << "the rest is sky";
+  EXPECT_GT(count.labelled, kColumns * 16 / 3) << "the rest is sky";
 }
 
 // Nothing but clutter, gaps, and one that nobody listens to.
