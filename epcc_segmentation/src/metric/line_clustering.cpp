@@ -125,7 +125,7 @@ HWY_NOINLINE void findSegments(Lines& lines, int first_line, int row, std::uint6
 
 /// Two vectors of lines, from the first row to the last.
 template <bool kPoints>
-void clusterSides(Lines& lines, int first_line) {
+HWY_NOINLINE void clusterSides(Lines& lines, int first_line) {
   const ScanStrip strip = lines.strip;  // copies, which no number that is stored can change
   const ClusteringRule rule = lines.rule;
   StripSegments& result = lines.result;
@@ -166,13 +166,13 @@ void clusterSides(Lines& lines, int first_line) {
   finish(p1, x1, z1, second_line);
 }
 
-void clusterStrip(const ScanStrip& strip, const ClusteringRule& rule, float* memory, StripSegments& result) {
+void clusterStrip(const ScanStrip& strip, const ClusteringRule& rule, float* memory, int count, StripSegments& result) {
   Lines lines{strip, rule, result, {}, {}};
   for (int line = 0; line < kStripLines; ++line) {
     result.count[line] = 0;
     memory = lines.buffers[line].place(memory, rule);
   }
-  for (int line = 0; line < strip.lines; line += kSides * kLanes)
+  for (int line = 0; line < count; line += kSides * kLanes)
     if (strip.x != nullptr)
       clusterSides<true>(lines, line);
     else
@@ -200,9 +200,10 @@ ClusteringRule::ClusteringRule(const PaperParameters& parameters, const SensorMo
   if (parameters.expert.lines.use_sensor_noise) variance = SensorVariance(sensor);
 }
 
-void clusterLines(const ScanStrip& strip, const ClusteringRule& rule, LineWorkspace& workspace, StripSegments& result) {
+void clusterLines(const ScanStrip& strip, const ClusteringRule& rule, LineWorkspace& workspace, StripSegments& result,
+                  int lines) {
   float* memory = workspace.floats(kStripLines, HWY_NAMESPACE::SampleBuffer::floats(rule));
-  EPCC_KERNEL(clusterStrip)(strip, rule, memory, result);
+  EPCC_KERNEL(clusterStrip)(strip, rule, memory, lines, result);
 }
 
 }  // namespace epcc

@@ -35,7 +35,6 @@ struct ClusteringRule {
 /// not measured.
 struct ScanStrip {
   int height = 0;
-  int lines = kStripLines;  ///< lines behind them are left alone, up to the width of the vectors
   std::size_t stride = 0;
   const float* z = nullptr;  ///< forward; of a depth image 0 where nothing is measured, and within farthestDepth()
   /// Of a depth image: sqrt(1 + u^2) of every line and v of every row; else null.
@@ -87,7 +86,8 @@ inline float farthestDepth(float slope) {
   return kFarthest / slope;
 }
 
-/// Clusters every line of the strip.
-void clusterLines(const ScanStrip& strip, const ClusteringRule& rule, LineWorkspace& workspace, StripSegments& result);
+/// Clusters the first `lines` lines of the strip; those behind them, whose samples are not measured, may be left out.
+void clusterLines(const ScanStrip& strip, const ClusteringRule& rule, LineWorkspace& workspace, StripSegments& result,
+                  int lines = kStripLines);
 
 }  // namespace epcc

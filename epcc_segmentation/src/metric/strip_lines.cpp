@@ -30,7 +30,8 @@ ClusteredLine lineOf(const LineRecord& record, const Eigen::Vector3d& direction)
 
 }  // namespace
 
-void StripLines::cluster(const ScanStrip& strip, const ClusteringRule& rule, const SegmentNumbers& numbers) {
+void StripLines::cluster(const ScanStrip& strip, const ClusteringRule& rule, const SegmentNumbers& numbers,
+                         int lines) {
   found_.capacity = capacity(strip.height, rule);
   records_.resize(static_cast<std::size_t>(found_.capacity) * kStripLines);
   found_.records = records_.data();
@@ -38,7 +39,7 @@ void StripLines::cluster(const ScanStrip& strip, const ClusteringRule& rule, con
   found_.number_step = numbers.step;
   found_.numbers = numbers.numbers;
   found_.number_stride = numbers.stride;
-  clusterLines(strip, rule, workspace_, found_);
+  clusterLines(strip, rule, workspace_, found_, lines);
 }
 
 void StripLines::list(int line, const Eigen::Vector3d& direction, std::vector<ClusteredLine>& segments) const {

@@ -25,7 +25,9 @@ class StripLines {
   /// Segments that a scan line of so many samples can have.
   static int capacity(int height, const ClusteringRule& rule) { return height / rule.minSamples() + 1; }
 
-  void cluster(const ScanStrip& strip, const ClusteringRule& rule, const SegmentNumbers& numbers);
+  /// The first `lines` of the strip.
+  void cluster(const ScanStrip& strip, const ClusteringRule& rule, const SegmentNumbers& numbers,
+               int lines = kStripLines);
   /// Segments that were found in a line of the strip.
   int count(int line) const { return found_.count[line]; }
   /// Of a cloud: sum of the unit vectors (x, z) of t1 in the line.

@@ -110,7 +110,6 @@ void CollectedStrip::laySideBySide(int coordinate) {
 ScanStrip CollectedStrip::strip() {
   ScanStrip strip;
   strip.height = static_cast<int>(height_);
-  strip.lines = size_;
   strip.stride = kStripLines;
   if (z_only_) {
     laySideBySide(0);

@@ -194,7 +194,8 @@ void ScanLineStream::State::collect(const GivenLine& line) {
 /// The paper's two algorithms on the collected lines.
 void ScanLineStream::State::cluster() {
   if (collected.size() == 0) return;
-  strip_lines.cluster(collected.strip(), rule, {1, kStripLines, numbers.data(), kStripLines});  // Algorithm 1
+  const SegmentNumbers all_numbers{1, kStripLines, numbers.data(), kStripLines};
+  strip_lines.cluster(collected.strip(), rule, all_numbers, collected.size());  // Algorithm 1
   for (int i = 0; i < collected.size(); ++i) {
     const Place& place = places[static_cast<std::size_t>(i)];
     if (place.lost_before > 0) planes.skipLines(place.lost_before);
