@@ -40,8 +40,8 @@ int main() {
   stream.onPlane([](const epcc::StreamPlane& found) {
     const auto& p = found.plane.coefficients;  // x forward, y left, z up
     std::printf("columns %4d to %4d: plane %d, normal (%5.2f %5.2f %5.2f), %.2f m away, %zu points%s\n",
-                static_cast<int>(found.first_line), static_cast<int>(found.last_line), static_cast<int>(found.id),
-                p(0), p(1), p(2), p(3), found.plane.pixel_count, found.is_cut ? ", goes on" : "");
+                static_cast<int>(found.first_line), static_cast<int>(found.last_line), static_cast<int>(found.id), p(0),
+                p(1), p(2), p(3), found.plane.pixel_count, found.is_cut ? ", goes on" : "");
   });
   std::size_t labelled = 0;
   stream.onLine([&labelled](const epcc::LabelledLine& line) {  // the labels of each column, final

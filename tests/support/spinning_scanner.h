@@ -12,8 +12,8 @@
 
 namespace epcc::test {
 
-/// `rings` from 15 degrees up to `lowest` degrees down, `columns` a turn, clockwise as most do. It stands 1.5 m above the
-/// floor of a room of 8 x 6 m, whose walls are `height` metres high; what is above them is open sky.
+/// `rings` from 15 degrees up to `lowest` degrees down, `columns` a turn, clockwise as most do. It stands 1.5 m above
+/// the floor of a room of 8 x 6 m, whose walls are `height` metres high; what is above them is open sky.
 struct SpinningScanner {
   int rings = 32;
   int columns = 720;

@@ -20,9 +20,7 @@ class StreamedFrame {
     stream.onLine([this](const LabelledLine& line) { take(line); });
     stream.onPlane([this](const StreamPlane& plane) { take(plane); });
   }
-  std::int64_t label(int line, int place) const {
-    return labels_[static_cast<std::size_t>(line * height_ + place)];
-  }
+  std::int64_t label(int line, int place) const { return labels_[static_cast<std::size_t>(line * height_ + place)]; }
   const std::map<std::int64_t, StreamPlane>& planes() const { return planes_; }
   int linesHandedOut() const { return lines_; }
 
@@ -98,7 +96,7 @@ inline Parameters wholeFrameParameters(const PaperParameters& paper, bool rows =
   return parameters;
 }
 
-/// Streams a depth image column by column, or row by row, and compares. False if a scan line was refused.
+/// Streams a depth image column by column, or row by row, and compares.
 inline void expectTheWholeFrame(const DepthFrame& frame, const float* depth, const PinholeCamera& camera, bool rows,
                                 StreamOptions options) {
   PlaneExtractor extractor(wholeFrameParameters(options.paper, rows), options.sensor);
@@ -108,14 +106,29 @@ inline void expectTheWholeFrame(const DepthFrame& frame, const float* depth, con
   const int lines = rows ? camera.height : camera.width;
   StreamedFrame streamed(stream, lines, rows ? camera.width : camera.height);
   for (int i = 0; i < lines; ++i) {
-    const bool taken =
-        rows ? stream.addRow(i, depth + static_cast<std::ptrdiff_t>(i) * camera.width)
-             : stream.addColumn(i, depth + i, camera.width);
+    const bool taken = rows ? stream.addRow(i, depth + static_cast<std::ptrdiff_t>(i) * camera.width)
+                            : stream.addColumn(i, depth + i, camera.width);
     ASSERT_TRUE(taken) << stream.error();
   }
   ASSERT_TRUE(stream.finish()) << stream.error();
   EXPECT_EQ(streamed.linesHandedOut(), lines);
   expectTheFrame(streamed, whole, rows);
+}
+
+/// The same of an organized cloud, column by column; points `stride` floats apart.
+inline void expectTheWholeCloud(const float* xyz, std::size_t stride, int width, int height, Projection projection,
+                                const StreamOptions& options, std::size_t fewest_planes) {
+  PlaneExtractor extractor(wholeFrameParameters(options.paper), options.sensor);
+  PlaneSegmentation whole;
+  ASSERT_TRUE(extractor.extract(DepthFrame::fromPoints(xyz, stride, width, height, projection), whole))
+      << extractor.error();
+  ASSERT_GE(whole.planes.size(), fewest_planes);
+  ScanLineStream stream(StreamGeometry::points(height, projection), options);
+  StreamedFrame streamed(stream, width, height);
+  const auto step = static_cast<std::ptrdiff_t>(stride);
+  for (int c = 0; c < width; ++c) ASSERT_TRUE(stream.addPoints(c, xyz + step * c, step * width)) << stream.error();
+  ASSERT_TRUE(stream.finish()) << stream.error();
+  expectTheFrame(streamed, whole);
 }
 
 }  // namespace epcc::test

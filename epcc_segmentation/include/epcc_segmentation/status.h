@@ -14,7 +14,8 @@ enum class Status {
   InvalidIndices,     ///< PCL class: an index is negative or beyond the cloud.
   InvalidCamera,      ///< The camera is out of its range or of another size than the depth image.
   InvalidParameters,  ///< A parameter or the sensor model is out of its range.
-  UnsupportedScan,    ///< Row scan of a spherical scan, whose rows are cones; a scan line of another kind than a stream's.
+  UnsupportedScan,    ///< Row scan of a spherical scan, whose rows are cones; a scan line of another kind than a
+                      ///< stream's.
   UnknownGeometry,    ///< Neither a camera nor a scanner sees the cloud's points in the order of its pixels.
   OutOfMemory,        ///< There is not enough memory for a frame of this size.
   Failed,             ///< Anything else.

@@ -14,9 +14,9 @@ namespace epcc {
 
 namespace {
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-constexpr double kBeyond = 1.0 + 1e-9;     // a cost that is larger than the limit, whatever the rounding
+constexpr double kBeyond = 1.0 + 1e-9;       // a cost that is larger than the limit, whatever the rounding
 constexpr std::size_t kForgottenLines = 32;  // at once: what is kept has to move
-constexpr double kMinMeanDistance = 1e-6;  // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
+constexpr double kMinMeanDistance = 1e-6;    // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
 
 // Eq. 26 of an endpoint at `ratio` times the mean distance.
 double weightAt(double ratio, EndpointWeight form) {
@@ -95,8 +95,7 @@ void PlaneClustering::addLine(const std::vector<ClusteredLine>& line_segments) {
 
 void PlaneClustering::finish() {
   for (auto& label : labels_)
-    if (label >= 0 && planes_[static_cast<std::size_t>(label)].segments < parameters_.min_segments)
-      label = kUnlabelled;
+    if (label >= 0 && planes_[static_cast<std::size_t>(label)].segments < parameters_.min_segments) label = kUnlabelled;
 }
 
 PlaneClustering::Segment PlaneClustering::makeSegment(const ClusteredLine& line_segment) const {

@@ -30,8 +30,7 @@ ClusteredLine lineOf(const LineRecord& record, const Eigen::Vector3d& direction)
 
 }  // namespace
 
-void StripLines::cluster(const ScanStrip& strip, const ClusteringRule& rule, const SegmentNumbers& numbers,
-                         int lines) {
+void StripLines::cluster(const ScanStrip& strip, const ClusteringRule& rule, const SegmentNumbers& numbers, int lines) {
   found_.capacity = capacity(strip.height, rule);
   records_.resize(static_cast<std::size_t>(found_.capacity) * kStripLines);
   found_.records = records_.data();

@@ -36,7 +36,8 @@ class CollectedStrip {
  private:
   bool isCamera() const { return z_only_; }
   float* line(int coordinate) {
-    return lines_.data() + (static_cast<std::size_t>(coordinate) * kStripLines + static_cast<std::size_t>(size_)) * pitch_;
+    return lines_.data() +
+           (static_cast<std::size_t>(coordinate) * kStripLines + static_cast<std::size_t>(size_)) * pitch_;
   }
   const float* line(int coordinate, int i) const {
     return lines_.data() + (static_cast<std::size_t>(coordinate) * kStripLines + static_cast<std::size_t>(i)) * pitch_;

@@ -148,8 +148,7 @@ std::string ScanLineStream::State::orderProblem(std::int64_t index, Status& why)
   why = Status::OutOfOrder;
   const std::int64_t between = order.lostBefore(index);
   if (between == -1) return name + std::to_string(index) + " came twice";
-  if (between < 0)
-    return name + std::to_string(index) + " came late, after " + name + std::to_string(order.last());
+  if (between < 0) return name + std::to_string(index) + " came late, after " + name + std::to_string(order.last());
   why = Status::Ok;
   return {};
 }

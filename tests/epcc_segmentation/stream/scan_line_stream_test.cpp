@@ -121,8 +121,7 @@ TEST(ScanLineStream, OfATurnOfAScannerIsItsCloudSegmentedWhole) {
   const StreamOptions options = optionsOf();
   PlaneExtractor extractor(test::wholeFrameParameters(options.paper), options.sensor);
   PlaneSegmentation whole;
-  const auto frame =
-      DepthFrame::fromPoints(xyz.data(), 3, scanner.columns, scanner.rings, Projection::Spherical);
+  const auto frame = DepthFrame::fromPoints(xyz.data(), 3, scanner.columns, scanner.rings, Projection::Spherical);
   ASSERT_TRUE(extractor.extract(frame, whole)) << extractor.error();
   ASSERT_GE(whole.planes.size(), 5u) << "floor and four walls";
   {
@@ -144,15 +143,8 @@ TEST(ScanLineStream, OfATurnOfAScannerIsItsCloudSegmentedWhole) {
     EXPECT_EQ(stream.lost(), 0);
     test::expectTheFrame(streamed, whole);
   }
-  {
-    SCOPED_TRACE("points");
-    ScanLineStream stream(StreamGeometry::points(scanner.rings, Projection::Spherical), options);
-    test::StreamedFrame streamed(stream, scanner.columns, scanner.rings);
-    for (int c = 0; c < scanner.columns; ++c)
-      ASSERT_TRUE(stream.addPoints(c, xyz.data() + 3 * c, 3 * scanner.columns)) << stream.error();
-    ASSERT_TRUE(stream.finish());
-    test::expectTheFrame(streamed, whole);
-  }
+  SCOPED_TRACE("points");
+  test::expectTheWholeCloud(xyz.data(), 3, scanner.columns, scanner.rings, Projection::Spherical, options, 5);
 }
 
 TEST(ScanLineStream, OfACamerasCloudIsTheCloudSegmentedWhole) {
@@ -170,17 +162,7 @@ TEST(ScanLineStream, OfACamerasCloudIsTheCloudSegmentedWhole) {
         to[1] = sign * static_cast<float>(p.y());
         to[2] = sign * static_cast<float>(p.z());
       }
-    PlaneExtractor extractor(test::wholeFrameParameters({}), kSensor);
-    PlaneSegmentation whole;
-    const auto frame = DepthFrame::fromPoints(xyz.data(), 4, room.camera.width, room.camera.height, projection);
-    ASSERT_TRUE(extractor.extract(frame, whole));
-    ASSERT_GE(whole.planes.size(), 3u);
-    ScanLineStream stream(StreamGeometry::points(room.camera.height, projection), optionsOf());
-    test::StreamedFrame streamed(stream, room.camera.width, room.camera.height);
-    for (int c = 0; c < room.camera.width; ++c)
-      ASSERT_TRUE(stream.addPoints(c, xyz.data() + 4 * c, 4 * room.camera.width)) << stream.error();
-    ASSERT_TRUE(stream.finish());
-    test::expectTheFrame(streamed, whole);
+    test::expectTheWholeCloud(xyz.data(), 4, room.camera.width, room.camera.height, projection, optionsOf(), 3);
   }
 }
 
