@@ -43,9 +43,9 @@ int main() {
                 static_cast<int>(found.first_line), static_cast<int>(found.last_line), static_cast<int>(found.id), p(0),
                 p(1), p(2), p(3), found.plane.pixel_count, found.is_cut ? ", goes on" : "");
   });
-  std::size_t labelled = 0;
+  int labelled = 0;
   stream.onLine([&labelled](const epcc::LabelledLine& line) {  // the labels of each column, final
-    for (const epcc::LabelRun& run : line) labelled += static_cast<std::size_t>(run.last - run.first + 1);
+    for (const epcc::LabelRun& run : line) labelled += run.last - run.first + 1;
   });
 
   std::mt19937 random(0);
@@ -55,8 +55,22 @@ int main() {
       std::fprintf(stderr, "%s\n", stream.error().c_str());  // a column that came late, say: it is left out
   }
   stream.finish();  // hands out what is still open
-  std::printf("%zu of %d points lie on planes\n", labelled, 2 * kColumns * 32);
+  std::printf("%d of %d points lie on planes\n", labelled, 2 * kColumns * 32);
 }
 
 // Prints:
-//   ?
+//   columns    0 to   87: plane 1, normal (-1.00  0.00 -0.00), 5.00 m away, 1621 points
+//   columns   11 to  138: plane 2, normal ( 0.00 -0.00  1.00), 1.50 m away, 1269 points
+//   columns   88 to  326: plane 3, normal ( 0.00  1.00  0.00), 3.50 m away, 5299 points
+//   columns  312 to  347: plane 4, normal ( 0.00  0.00  1.00), 1.50 m away, 230 points
+//   columns  327 to  550: plane 5, normal ( 1.00  0.00  0.00), 3.00 m away, 5530 points
+//   columns  551 to  834: plane 6, normal (-0.00 -1.00  0.00), 2.50 m away, 7567 points
+//   columns  835 to  987: plane 8, normal (-1.00  0.00  0.00), 5.00 m away, 2728 points
+//   columns  811 to 1050: plane 7, normal ( 0.00 -0.00  1.00), 1.50 m away, 2230 points
+//   columns  988 to 1227: plane 9, normal ( 0.00  1.00 -0.00), 3.50 m away, 5300 points
+//   columns 1202 to 1247: plane 10, normal (-0.00  0.00  1.00), 1.50 m away, 257 points
+//   columns 1228 to 1450: plane 11, normal ( 1.00 -0.00  0.00), 3.00 m away, 5489 points
+//   columns 1451 to 1734: plane 12, normal (-0.00 -1.00  0.00), 2.50 m away, 7622 points
+//   columns 1705 to 1799: plane 13, normal (-0.00 -0.00  1.00), 1.50 m away, 883 points
+//   columns 1735 to 1799: plane 14, normal (-1.00  0.00 -0.00), 5.00 m away, 1207 points
+//   47232 of 57600 points lie on planes

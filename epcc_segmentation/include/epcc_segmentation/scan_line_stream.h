@@ -31,8 +31,8 @@ struct StreamOptions {
   int measured_lines = 512;
 
   /// Scan lines that Algorithm 1 waits for, to take them side by side in vectors. The result does not depend on it.
-  /// [1, 32] scan lines, default 32, the fastest. Lower it if planes come too late; one at a time costs ten times as
-  /// much.
+  /// [1, 32] scan lines, default 32, the fastest. Lower it if planes come too late; one at a time costs
+  /// three to five times as much.
   int lines_at_once = 32;
 
   /// Scan lines after which a plane is handed out though it goes on, and begins anew: a floor seen all round, a wall
