@@ -81,8 +81,9 @@ struct LabelledLine {
 ///       if (!stream.addColumnAt(azimuth, ranges)) std::cerr << stream.error() << '\n';
 ///     stream.finish();
 ///
-/// Once it is warm, nothing is allocated. Not for use from two threads at once. Nothing is thrown; what a callback
-/// throws ends the stream with Status::Failed.
+/// Once it is warm, nothing is allocated. Not for use from two threads at once, nor after it was moved away. Nothing is
+/// thrown but std::bad_alloc by the constructor and openPlanes(); what a callback throws ends the stream with
+/// Status::Failed.
 class EPCC_CORE_EXPORT ScanLineStream {
  public:
   /// What is wrong with geometry or options shows at once in status() and error(), and with every scan line.
@@ -96,8 +97,8 @@ class EPCC_CORE_EXPORT ScanLineStream {
   /// within the functions below; it must not call them.
   void onPlane(std::function<void(const StreamPlane&)> callback);
   /// Called with the labels of each scan line, in order, as soon as it is certain which of its planes are large enough:
-  /// after at most min_segments times look_back (Planes) more scan lines, as a rule after about min_segments, and
-  /// StreamOptions::lines_at_once.
+  /// as a rule after about min_segments more scan lines, and StreamOptions::lines_at_once; at most after min_segments
+  /// times look_back (PaperParameters::Planes), or as many as it takes to reach min_points.
   void onLine(std::function<void(const LabelledLine&)> callback);
 
   /// The column `index` of a camera: geometry.height() depths in metres, `stride` floats apart; <= 0, NaN and Inf are
