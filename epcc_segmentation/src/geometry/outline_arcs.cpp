@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs on common lines are replaced by their ends; the rest by the fewest corners that stay within the tolerance.
+#include "geometry/outline_arcs.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace epcc {
+
+namespace {
+
+constexpr double kLeastTolerance = 1e-6;  // pixels: corners on a straight line are left out in any case
+constexpr double kMostNoise = 4.0;        // times tolerance_pixels
+constexpr double kLeastScale = 0.1;
+constexpr double kJunctionReach = 1.5;  // times max_offset: a point of three planes may be this far from the corner
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+}  // namespace
+
+OutlineArcs::OutlineArcs(const PixelRays& rays, const SensorModel& sensor, const PolygonOptions& options,
+                         const OutlinePlanes& planes, const LabelArcs& arcs, PlaneCreases& creases)
+    : rays_(rays),
+      sensor_(sensor),
+      options_(options),
+      planes_(planes),
+      arcs_(arcs),
+      creases_(creases),
+      drawn_(arcs.arcs.size()),
+      is_dirty_(arcs.arcs.size(), 1) {
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    const LabelArc& arc = arcs_.arcs[i];
+    for (int side = 0; side < 2; ++side) {
+      const int label = side == 0 ? arc.left : arc.right;
+      if (label <= 0 || !planes_.exists(label)) continue;
+      std::vector<Vector2>& flat = drawn_[i].flat[side];
+      flat.reserve(arc.corners.size());
+      for (const int corner : arc.corners)
+        flat.push_back(planes_.flat(label, planes_.corner(label, arcs_.row(corner), arcs_.column(corner))));
+    }
+    findRuns(static_cast<int>(i));
+  }
+}
+
+double OutlineArcs::place(int corner, bool row) const {
+  return (row ? arcs_.row(corner) : arcs_.column(corner)) - 0.5;
+}
+
+const PlaneCrease* OutlineArcs::crease(int arc) {
+  const LabelArc& own = arcs_.arcs[static_cast<std::size_t>(arc)];
+  if (own.left <= 0 || own.right <= 0 || own.left == own.right) return nullptr;
+  return creases_.find(std::min(own.left, own.right), std::max(own.left, own.right));
+}
+
+void OutlineArcs::findRuns(int arc) {
+  const PlaneCrease* line = crease(arc);
+  if (line == nullptr) return;
+  const std::vector<int>& corners = arcs_.arcs[static_cast<std::size_t>(arc)].corners;
+  for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end + 1) {
+    const auto isNear = [&](std::size_t i) { return line->isNear(place(corners[i], false), place(corners[i], true)); };
+    end = begin;
+    if (!isNear(begin)) continue;
+    while (end + 1 < corners.size() && isNear(end + 1)) ++end;
+    if (end - begin < static_cast<std::size_t>(options_.edges.min_pixels)) continue;
+    CreaseRun run;
+    run.begin = begin;
+    run.end = end;
+    run.first = line->nearestPoint(place(corners[begin], false), place(corners[begin], true));
+    run.last = line->nearestPoint(place(corners[end], false), place(corners[end], true));
+    drawn_[static_cast<std::size_t>(arc)].runs.push_back(run);
+  }
+}
+
+void OutlineArcs::refine(int arc) {
+  DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
+  drawn.scale = drawn.scale > kLeastScale ? 0.5 * drawn.scale : 0.0;
+  is_dirty_[static_cast<std::size_t>(arc)] = 1;
+}
+
+bool OutlineArcs::open(int arc) {
+  DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
+  if (!drawn.is_closed_up || drawn.runs.empty() || !options_.close_edges) return false;
+  drawn.is_closed_up = false;
+  is_dirty_[static_cast<std::size_t>(arc)] = 1;
+  return true;
+}
+
+void OutlineArcs::draw() {
+  if (options_.close_edges) settleJunctions();
+  for (std::size_t i = 0; i < drawn_.size(); ++i)
+    if (is_dirty_[i] != 0) drawArc(static_cast<int>(i));
+  std::fill(is_dirty_.begin(), is_dirty_.end(), char(0));
+}
+
+void OutlineArcs::settleJunctions() {
+  junctions_.clear();
+  std::map<int, std::vector<Claim>> claims;
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    const std::vector<int>& corners = arcs_.arcs[i].corners;
+    if (!drawn_[i].is_closed_up || corners.front() == corners.back()) continue;
+    for (const CreaseRun& run : drawn_[i].runs) {
+      const Claim claim{static_cast<int>(i), false, run.end - run.begin};
+      if (run.begin == 0) claims[corners.front()].push_back(claim);
+      if (run.end + 1 == corners.size()) claims[corners.back()].push_back({claim.arc, true, claim.length});
+    }
+  }
+  for (auto& [corner, of_corner] : claims) settle(corner, of_corner);
+}
+
+/// The longest run has its way; others join it if the point of all their planes is near.
+void OutlineArcs::settle(int corner, std::vector<Claim>& claims) {
+  std::sort(claims.begin(), claims.end(),
+            [](const Claim& a, const Claim& b) { return a.length != b.length ? a.length > b.length : a.arc < b.arc; });
+  Junction shared;
+  const auto takes = [&](int label) {
+    return std::find(shared.labels.begin(), shared.labels.end(), label) != shared.labels.end();
+  };
+  for (const Claim& claim : claims) {
+    const LabelArc& arc = arcs_.arcs[static_cast<std::size_t>(claim.arc)];
+    if (shared.labels.empty()) {
+      const std::vector<CreaseRun>& runs = drawn_[static_cast<std::size_t>(claim.arc)].runs;
+      shared.labels = {arc.left, arc.right};
+      shared.point = claim.at_end ? runs.back().last : runs.front().first;
+      continue;
+    }
+    if ((takes(arc.left) && takes(arc.right)) || shared.labels.size() > 2) continue;
+    std::vector<int> labels = shared.labels;
+    if (!takes(arc.left)) labels.push_back(arc.left);
+    if (!takes(arc.right)) labels.push_back(arc.right);
+    if (labels.size() != 3) continue;
+    if (const auto point = commonPoint(labels, corner)) {
+      shared.labels = labels;
+      shared.point = *point;
+    }
+  }
+  junctions_[corner] = shared;
+  for (const Claim& claim : claims) {
+    const LabelArc& arc = arcs_.arcs[static_cast<std::size_t>(claim.arc)];
+    if (!takes(arc.left) || !takes(arc.right)) trim(claim);
+  }
+}
+
+/// The run ends a corner earlier.
+void OutlineArcs::trim(const Claim& claim) {
+  const PlaneCrease* line = crease(claim.arc);
+  const std::vector<int>& corners = arcs_.arcs[static_cast<std::size_t>(claim.arc)].corners;
+  std::vector<CreaseRun>& runs = drawn_[static_cast<std::size_t>(claim.arc)].runs;
+  CreaseRun& run = claim.at_end ? runs.back() : runs.front();
+  if (run.end < run.begin + 2) return;
+  const std::size_t i = claim.at_end ? --run.end : ++run.begin;
+  (claim.at_end ? run.last : run.first) = line->nearestPoint(place(corners[i], false), place(corners[i], true));
+  is_dirty_[static_cast<std::size_t>(claim.arc)] = 1;
+}
+
+std::optional<Eigen::Vector3d> OutlineArcs::commonPoint(const std::vector<int>& labels, int corner) const {
+  Eigen::Matrix3d equations;
+  for (int k = 0; k < 3; ++k) equations.row(k) = planes_.q(labels[static_cast<std::size_t>(k)]).transpose();
+  const Eigen::FullPivLU<Eigen::Matrix3d> solver(equations);
+  if (!solver.isInvertible()) return std::nullopt;
+  const Eigen::Vector3d point = solver.solve(Eigen::Vector3d::Ones());
+  const double column = place(corner, false), row = place(corner, true);
+  const Eigen::Vector3d ray = rays_.ray(column, row), by_column = rays_.rayByColumn(column),
+                        by_row = rays_.rayByRow(row);
+  // How far from the corner it is seen: the part of the ray that neither column nor row changes is the scale.
+  const Eigen::Vector3d forward = by_column.cross(by_row);
+  const double scale = forward.dot(point) / forward.dot(ray);
+  if (!(scale > 0.0)) return std::nullopt;
+  const Eigen::Vector3d off = point / scale - ray;
+  const double pixels =
+      std::hypot(off.dot(by_column) / by_column.squaredNorm(), off.dot(by_row) / by_row.squaredNorm());
+  if (!(pixels <= kJunctionReach * options_.edges.max_offset)) return std::nullopt;
+  return point;
+}
+
+const OutlineArcs::Junction* OutlineArcs::junction(int corner, int label) const {
+  const auto found = junctions_.find(corner);
+  if (found == junctions_.end()) return nullptr;
+  const std::vector<int>& labels = found->second.labels;
+  return std::find(labels.begin(), labels.end(), label) == labels.end() ? nullptr : &found->second;
+}
+
+Eigen::Vector3d OutlineArcs::vertexPoint(int label, int arc, const DrawnArc::Vertex& vertex) const {
+  const int corner = arcs_.arcs[static_cast<std::size_t>(arc)].corners[vertex.corner];
+  if (const Junction* shared = junction(corner, label)) return shared->point;
+  if (vertex.shared) return *vertex.shared;
+  return planes_.corner(label, arcs_.row(corner), arcs_.column(corner));
+}
+
+void OutlineArcs::drawArc(int arc) {
+  DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
+  const std::size_t last = arcs_.arcs[static_cast<std::size_t>(arc)].corners.size() - 1;
+  std::vector<char> keep(last + 1, 0);
+  keep[0] = keep[last] = 1;
+  drawn.vertices.clear();
+  drawn.change[0] = drawn.change[1] = 0.0;
+  std::map<std::size_t, Eigen::Vector3d> shared;
+  std::size_t begin = 0;
+  const auto simplifyTo = [&](std::size_t end) {
+    if (end > begin) simplify(arc, begin, end, keep);
+    for (int side = 0; side < 2 && end > begin; ++side) {
+      const std::vector<Vector2>& flat = drawn.flat[side];
+      if (flat.empty()) continue;
+      for (std::size_t from = begin, to = begin; from < end; from = to) {
+        const Eigen::Vector2d origin = flat[from];
+        to = from + 1;
+        double between = 0.0;  // twice the area between the corners and the line that takes their place
+        for (; keep[to] == 0; ++to) between += cross(flat[to] - origin, flat[to + 1] - origin);
+        drawn.change[side] -= 0.5 * between;
+      }
+    }
+  };
+  if (options_.close_edges && drawn.is_closed_up) {
+    for (const CreaseRun& run : drawn.runs) {
+      keep[run.begin] = keep[run.end] = 1;
+      simplifyTo(run.begin);
+      shared[run.begin] = run.first;
+      shared[run.end] = run.last;
+      begin = run.end;
+    }
+  }
+  simplifyTo(last);
+  if (arcs_.arcs[static_cast<std::size_t>(arc)].corners.front() ==
+      arcs_.arcs[static_cast<std::size_t>(arc)].corners.back()) {
+    if (shared.count(0) != 0)
+      shared[last] = shared[0];  // its ends are one
+    else if (shared.count(last) != 0)
+      shared[0] = shared[last];
+  }
+  for (std::size_t i = 0; i <= last; ++i) {
+    if (keep[i] == 0) continue;
+    const auto found = shared.find(i);
+    drawn.vertices.push_back({i, found == shared.end() ? std::nullopt : std::optional<Eigen::Vector3d>(found->second)});
+  }
+}
+
+double OutlineArcs::tolerance(const LabelArc& arc, int corner) const {
+  const double column = place(corner, false), row = place(corner, true);
+  const Eigen::Vector3d ray = rays_.ray(column, row);
+  double w = 0.0;
+  for (const int label : {arc.left, arc.right})
+    if (label > 0 && planes_.exists(label)) w = std::max(w, planes_.q(label).dot(ray));
+  if (!(w > 0.0)) return options_.tolerance_pixels;
+  const double pixel = std::sqrt(rays_.rayDeterminant(column, row));  // at w = 1
+  const double noise = rays_.sigma(sensor_, ray, w) / (w * pixel);
+  return std::min(kMostNoise * options_.tolerance_pixels, options_.tolerance_pixels + options_.tolerance_sigma * noise);
+}
+
+int OutlineArcs::columnsApart(int from, int to) const {
+  int columns = arcs_.column(to) - arcs_.column(from);
+  if (!rays_.closesRound()) return columns;
+  if (2 * columns > arcs_.columns) columns -= arcs_.columns;
+  if (2 * columns < -arcs_.columns) columns += arcs_.columns;
+  return columns;
+}
+
+/// Pixels from a corner to the straight line in space, as it is seen, between two others.
+double OutlineArcs::deviation(int from, int to, int corner) const {
+  const Eigen::Vector2d chord(columnsApart(from, to), arcs_.row(to) - arcs_.row(from));
+  const Eigen::Vector2d own(columnsApart(from, corner), arcs_.row(corner) - arcs_.row(from));
+  const double share = chord.squaredNorm() > 0.0 ? own.dot(chord) / chord.squaredNorm() : -1.0;
+  if (share < 0.0) return own.norm();
+  if (share > 1.0) return (own - chord).norm();
+  const auto rayOf = [&](int c) { return rays_.ray(place(c, false), place(c, true)); };
+  const Eigen::Vector3d normal = rayOf(from).cross(rayOf(to));
+  const double column = place(corner, false), row = place(corner, true);
+  const double slope = std::hypot(normal.dot(rays_.rayByColumn(column)), normal.dot(rays_.rayByRow(row)));
+  return slope > 0.0 ? std::abs(normal.dot(rays_.ray(column, row))) / slope : own.norm();
+}
+
+/// Douglas and Peucker (1973), each corner with its own tolerance.
+void OutlineArcs::simplify(int arc, std::size_t begin, std::size_t end, std::vector<char>& keep) const {
+  const LabelArc& own = arcs_.arcs[static_cast<std::size_t>(arc)];
+  const double scale = drawn_[static_cast<std::size_t>(arc)].scale;
+  std::vector<std::pair<std::size_t, std::size_t>> open = {{begin, end}};
+  while (!open.empty()) {
+    const auto [from, to] = open.back();
+    open.pop_back();
+    double worst = 1.0;
+    std::size_t at = 0;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double limit = std::max(kLeastTolerance, scale * tolerance(own, own.corners[i]));
+      const double share = deviation(own.corners[from], own.corners[to], own.corners[i]) / limit;
+      if (share <= worst) continue;
+      worst = share;
+      at = i;
+    }
+    if (at == 0) continue;
+    keep[at] = 1;
+    open.push_back({from, at});
+    open.push_back({at, to});
+  }
+}
+
+double OutlineArcs::cornersArea(int arc, int side) const {
+  double sum = 0.0;
+  const std::vector<Vector2>& flat = drawn(arc).flat[side];
+  for (std::size_t i = 1; i < flat.size(); ++i) sum += cross(flat[i - 1], flat[i]);
+  return 0.5 * sum;
+}
+
+}  // namespace epcc
