@@ -97,7 +97,7 @@ std::string segmentOne(const SegmentOptions& options, const SegmentInput& input,
   if (doubts.any()) notes << kProgram << ": " << input.path << ": " << doubts.inWords() << '\n';
 
   start = Clock::now();
-  writeOutputs(outputPaths(options, input), frame, result);
+  writeOutputs(outputPaths(options, input), frame, result, {extractor.sensor(), options.mesh_is_text});
   times.writing = lapMs(start);
 
   std::string report = heading(input, frame, result, sensor);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <ostream>
 
+#include "datasets/support/folder_listing.h"
 #include "datasets/support/number_text.h"
 #include "epcc_segmentation/parameter_table.h"
 #include "eval/program/command_line.h"
@@ -78,6 +79,20 @@ std::string checkCriterion(const std::string& text) {
   return known ? std::string() : "'" + text + "' is none of 'a', 'b', 'c', 'd'";
 }
 
+/// Polygons and meshes may be left out of a build.
+std::string checkSurfaces(const std::string& /*text*/) {
+#ifdef EPCC_WITH_GEOS
+  return {};
+#else
+  return "this program was built without GEOS (EPCC_WITH_GEOS)";
+#endif
+}
+
+std::string checkMesh(const std::string& text) {
+  if (!hasEnding(text, ".ply") && !hasEnding(text, ".obj")) return "'" + text + "' ends neither in .ply nor in .obj";
+  return checkSurfaces(text);
+}
+
 void addCameraOptions(CLI::App& app, SegmentOptions& options, RawOptions& raw) {
   CLI::Option* file = app.add_option("--camera", options.camera_file, "Camera of the depth images")
                           ->type_name("NAME.json")
@@ -138,6 +153,16 @@ void addOutputOptions(CLI::App& app, SegmentOptions& options) {
   app.add_flag("--with-segments", options.with_segments, "With --out: also NAME_segments.csv and NAME_segments.png")
       ->needs(out)
       ->group("Output");
+  add("--mesh", options.mesh, "OUT.ply", "Triangle mesh of the surfaces, .ply or .obj")
+      ->check(checkMesh)
+      ->excludes(out);
+  add("--polygons", options.polygons, "OUT.json", "Surfaces as polygons with holes, and their edges")
+      ->check(checkSurfaces)
+      ->excludes(out);
+  app.add_flag("--mesh-text", options.mesh_is_text, "Mesh as text, not binary (.ply; .obj is text)")->group("Output");
+  app.add_flag("--with-surfaces", options.with_surfaces, "With --out: also NAME_mesh.ply and NAME_polygons.json")
+      ->needs(out)
+      ->group("Output");
   app.add_flag("--timing", options.timing, "Print the time of each stage")->group("Output");
 }
 
@@ -192,7 +217,9 @@ std::string setOptions(const RawOptions& raw, SegmentOptions& options) {
   if (!misread.empty()) return misread;
   if (raw.depth_scale && options.reading.unit) return "--unit takes the place of --depth-scale, give one of them";
   if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
-  const std::string problem = setMethod(raw, options.parameters);
+  std::string problem = setMethod(raw, options.parameters);
+  if (problem.empty() && options.with_surfaces && !checkSurfaces("").empty())
+    problem = "--with-surfaces: " + checkSurfaces("");
   options.parameters.line_segments |=
       options.with_segments || !options.segments.empty() || !options.segments_picture.empty();
   return problem;

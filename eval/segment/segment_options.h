@@ -23,8 +23,9 @@ struct CameraNumbers {
 
 /// Said of options that name an output file.
 constexpr const char* kOneInputOnly =
-    "--labels, --planes, --overlay, --cloud, --segments and --segments-picture take a single input; use --out DIR for "
-    "several";
+    "--labels, --planes, --overlay, --cloud, --segments, --segments-picture, --mesh and --polygons take a single "
+    "input; "
+    "use --out DIR for several";
 
 /// What epcc_segment is asked to do.
 struct SegmentOptions {
@@ -40,14 +41,18 @@ struct SegmentOptions {
   std::string cloud;
   std::string segments;
   std::string segments_picture;
+  std::string mesh;
+  std::string polygons;
+  bool mesh_is_text = false;   ///< PLY
   std::string out;             ///< folder; empty: the files above
   bool with_segments = false;  ///< of the two files of line segments in the folder
+  bool with_surfaces = false;  ///< mesh and polygons in the folder
   bool timing = false;
 
   bool givesCamera() const { return camera.has_value() || !camera_file.empty(); }
   bool namesOutputs() const {
     return !(labels.empty() && planes.empty() && overlay.empty() && cloud.empty() && segments.empty() &&
-             segments_picture.empty());
+             segments_picture.empty() && mesh.empty() && polygons.empty());
   }
 };
 

@@ -14,6 +14,7 @@
 #include "datasets/support/input_error.h"
 #include "eval/pictures/overlay.h"
 #include "eval/pictures/segment_picture.h"
+#include "eval/segment/surface_output.h"
 
 namespace epcc {
 namespace {
@@ -67,7 +68,7 @@ void refuseSpecialFiles(const OutputPaths& paths) {
 
 std::vector<std::string> OutputPaths::all() const {
   std::vector<std::string> paths;
-  for (const std::string* path : {&labels, &planes, &overlay, &cloud, &segments, &segments_picture}) {
+  for (const std::string* path : {&labels, &planes, &overlay, &cloud, &segments, &segments_picture, &mesh, &polygons}) {
     if (!path->empty()) paths.push_back(*path);
   }
   return paths;
@@ -75,13 +76,24 @@ std::vector<std::string> OutputPaths::all() const {
 
 OutputPaths outputPaths(const SegmentOptions& options, const SegmentInput& input) {
   if (options.out.empty())
-    return {options.labels, options.planes, options.overlay, options.cloud, options.segments, options.segments_picture};
+    return {options.labels,   options.planes,           options.overlay, options.cloud,
+            options.segments, options.segments_picture, options.mesh,    options.polygons};
   const auto in_folder = [&](const char* suffix) { return (fs::path(options.out) / (input.name + suffix)).string(); };
-  OutputPaths paths{
-      in_folder("_labels.png"), in_folder("_planes.json"), in_folder("_overlay.png"), in_folder("_cloud.pcd"), "", ""};
+  OutputPaths paths{in_folder("_labels.png"),
+                    in_folder("_planes.json"),
+                    in_folder("_overlay.png"),
+                    in_folder("_cloud.pcd"),
+                    "",
+                    "",
+                    "",
+                    ""};
   if (options.with_segments) {
     paths.segments = in_folder("_segments.csv");
     paths.segments_picture = in_folder("_segments.png");
+  }
+  if (options.with_surfaces) {
+    paths.mesh = in_folder("_mesh.ply");
+    paths.polygons = in_folder("_polygons.json");
   }
   return paths;
 }
@@ -101,7 +113,8 @@ std::string checkOutputs(const SegmentOptions& options, const std::vector<Segmen
   return std::string();
 }
 
-void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result) {
+void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result,
+                  const SurfaceStyle& surfaces) {
   refuseSpecialFiles(paths);
   if (!paths.labels.empty()) writeLabelImage(paths.labels, result);
   const DepthFrame view = frameView(input);
@@ -112,6 +125,11 @@ void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const Pl
                      {result.labels.begin(), result.labels.end()});
   if (!paths.segments.empty()) writeSegmentList(paths.segments, result.segments);
   if (!paths.segments_picture.empty()) writeRgb(paths.segments_picture, drawSegments(input.depth, result.segments));
+#ifdef EPCC_WITH_GEOS
+  writeSurfaces(paths, view, result, surfaces);
+#else
+  static_cast<void>(surfaces);
+#endif
 }
 
 }  // namespace epcc

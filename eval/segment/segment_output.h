@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "epcc_segmentation/plane_segmentation.h"
+#include "epcc_segmentation/sensor_model.h"
 #include "eval/segment/segment_input.h"
 #include "eval/segment/segment_options.h"
 
@@ -19,6 +20,8 @@ struct OutputPaths {
   std::string cloud;
   std::string segments;
   std::string segments_picture;
+  std::string mesh;
+  std::string polygons;
 
   std::vector<std::string> all() const;
 };
@@ -29,7 +32,14 @@ OutputPaths outputPaths(const SegmentOptions& options, const SegmentInput& input
 /// Empty if the outputs endanger neither each other nor any input, else what is wrong in words.
 std::string checkOutputs(const SegmentOptions& options, const std::vector<SegmentInput>& inputs);
 
+/// How surfaces are made and written.
+struct SurfaceStyle {
+  SensorModel sensor;
+  bool mesh_is_text = false;
+};
+
 /// Writes them, each under its final name only once it is complete. Throws OutputError.
-void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result);
+void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result,
+                  const SurfaceStyle& surfaces);
 
 }  // namespace epcc

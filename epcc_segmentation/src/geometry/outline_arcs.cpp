@@ -43,6 +43,7 @@ OutlineArcs::OutlineArcs(const PixelRays& rays, const SensorModel& sensor, const
         flat.push_back(planes_.flat(label, planes_.corner(label, arcs_.row(corner), arcs_.column(corner))));
     }
     findRuns(static_cast<int>(i));
+    drawn_[i].is_closed_up = options_.close_edges;
   }
 }
 
@@ -75,28 +76,42 @@ void OutlineArcs::findRuns(int arc) {
   }
 }
 
-void OutlineArcs::refine(int arc) {
+void OutlineArcs::refine(int arc, bool keeps_lines) {
   DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
-  drawn.scale = drawn.scale > kLeastScale ? 0.5 * drawn.scale : 0.0;
   is_dirty_[static_cast<std::size_t>(arc)] = 1;
+  if (!keeps_lines && drawn.is_closed_up && !drawn.runs.empty())
+    drawn.is_closed_up = false;
+  else
+    drawn.scale = drawn.scale > kLeastScale ? 0.5 * drawn.scale : 0.0;
 }
 
-bool OutlineArcs::open(int arc) {
+void OutlineArcs::release(int arc) {
   DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
-  if (!drawn.is_closed_up || drawn.runs.empty() || !options_.close_edges) return false;
+  is_dirty_[static_cast<std::size_t>(arc)] = 1;
   drawn.is_closed_up = false;
-  is_dirty_[static_cast<std::size_t>(arc)] = 1;
-  return true;
+  drawn.scale = 0.0;
 }
 
-void OutlineArcs::draw() {
-  if (options_.close_edges) settleJunctions();
-  for (std::size_t i = 0; i < drawn_.size(); ++i)
-    if (is_dirty_[i] != 0) drawArc(static_cast<int>(i));
-  std::fill(is_dirty_.begin(), is_dirty_.end(), char(0));
+bool OutlineArcs::canRefine(int arc) const {
+  const DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
+  return drawn.scale > 0.0 || (drawn.is_closed_up && !drawn.runs.empty());
 }
 
-void OutlineArcs::settleJunctions() {
+std::vector<int> OutlineArcs::draw() {
+  std::vector<int> changed;
+  settleJunctions(changed);
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    if (is_dirty_[i] == 0) continue;
+    drawArc(static_cast<int>(i));
+    is_dirty_[i] = 0;
+    for (const int label : {arcs_.arcs[i].left, arcs_.arcs[i].right})
+      if (label > 0) changed.push_back(label);
+  }
+  return changed;
+}
+
+void OutlineArcs::settleJunctions(std::vector<int>& changed) {
+  const std::map<int, Junction> before = std::move(junctions_);
   junctions_.clear();
   std::map<int, std::vector<Claim>> claims;
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
@@ -109,6 +124,16 @@ void OutlineArcs::settleJunctions() {
     }
   }
   for (auto& [corner, of_corner] : claims) settle(corner, of_corner);
+  const auto compare = [&changed](const std::map<int, Junction>& all, const std::map<int, Junction>& others) {
+    for (const auto& [corner, shared] : all) {
+      const auto other = others.find(corner);
+      if (other != others.end() && other->second.labels == shared.labels && other->second.point == shared.point)
+        continue;
+      changed.insert(changed.end(), shared.labels.begin(), shared.labels.end());
+    }
+  };
+  compare(before, junctions_);
+  compare(junctions_, before);
 }
 
 /// The longest run has its way; others join it if the point of all their planes is near.
@@ -213,7 +238,7 @@ void OutlineArcs::drawArc(int arc) {
       }
     }
   };
-  if (options_.close_edges && drawn.is_closed_up) {
+  if (drawn.is_closed_up) {
     for (const CreaseRun& run : drawn.runs) {
       keep[run.begin] = keep[run.end] = 1;
       simplifyTo(run.begin);

@@ -42,12 +42,14 @@ class OutlineArcs {
 
   const LabelArcs& arcs() const { return arcs_; }
   const DrawnArc& drawn(int arc) const { return drawn_[static_cast<std::size_t>(arc)]; }
-  /// Draws the arc with half the tolerance, the fourth time with none.
-  void refine(int arc);
-  /// Draws the arc without a common line, if it has any: false if it has none.
-  bool open(int arc);
-  /// Puts the vertices of several planes where they belong and draws what has changed.
-  void draw();
+  /// Draws the arc without its common lines if it has any, else with half the tolerance, at last with none.
+  void refine(int arc, bool keeps_lines = false);
+  /// Draws each corner of the arc on its own plane.
+  void release(int arc);
+  /// False if the arc is drawn as the pixels have it.
+  bool canRefine(int arc) const;
+  /// Puts the vertices of several planes where they belong and draws what has changed; the labels it has changed for.
+  std::vector<int> draw();
 
   /// A vertex of an arc on a label's plane, scan frame.
   Eigen::Vector3d vertexPoint(int label, int arc, const DrawnArc::Vertex& vertex) const;
@@ -65,7 +67,7 @@ class OutlineArcs {
     std::size_t length;
   };
   void findRuns(int arc);
-  void settleJunctions();
+  void settleJunctions(std::vector<int>& changed);
   void settle(int corner, std::vector<Claim>& claims);
   void trim(const Claim& claim);
   std::optional<Eigen::Vector3d> commonPoint(const std::vector<int>& labels, int corner) const;

@@ -3,13 +3,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "geometry/geos_shapes.h"
 
 namespace epcc {
 
-/// Counter-clockwise triangles of the polygon's points. None if it cannot be triangulated.
-std::vector<std::array<Vector2, 3>> pieceTriangles(GeosShapes& shapes, const FlatPolygon& polygon);
+/// Counter-clockwise triangles, as numbers of the polygon's points: those of the outline, then hole by hole. A corner
+/// where rings touch has several numbers. None if the polygon cannot be triangulated.
+std::vector<std::array<std::size_t, 3>> pieceTriangles(GeosShapes& shapes, const FlatPolygon& polygon);
 
 }  // namespace epcc

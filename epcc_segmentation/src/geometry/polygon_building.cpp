@@ -16,6 +16,9 @@ namespace epcc {
 
 namespace {
 
+constexpr int kPatience = 12;         // flaws that are looked for one by one
+constexpr double kLeastPiece = 1e-6;  // of the pixels' area: what mending leaves in smaller bits
+
 double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const Eigen::Vector2d along = b - a;
   const double square = along.squaredNorm();
@@ -67,23 +70,40 @@ void PolygonBuilder::sortRings(const OutlineArcs& outlines) {
     for (Ring& ring : region.rings) {
       ring.area *= region.turn;
       region.area += ring.area;
-      const int pixels = rings[static_cast<std::size_t>(ring.ring)].pixels;
-      ring.is_left_out = pixels > 0 && pixels < options_.min_ring_pixels;
     }
+    leaveOut(rings, region);
   }
 }
 
-bool PolygonBuilder::build(OutlineArcs& outlines) {
+/// The smallest rings, as long as their area is not missed.
+void PolygonBuilder::leaveOut(const std::vector<LabelRing>& rings, Region& region) const {
+  std::vector<Ring*> small;
+  const auto pixels = [&rings](const Ring* ring) { return rings[static_cast<std::size_t>(ring->ring)].pixels; };
+  for (Ring& ring : region.rings)
+    if (pixels(&ring) > 0 && pixels(&ring) < options_.min_ring_pixels) small.push_back(&ring);
+  std::sort(small.begin(), small.end(), [&](const Ring* a, const Ring* b) {
+    return pixels(a) != pixels(b) ? pixels(a) < pixels(b) : a->ring < b->ring;
+  });
+  double left = 0.5 * options_.max_area_change * std::abs(region.area);
+  for (Ring* ring : small) {
+    left -= std::abs(ring->area);
+    if (left < 0.0) return;
+    ring->is_left_out = true;
+  }
+}
+
+bool PolygonBuilder::build(OutlineArcs& outlines, const std::vector<int>& changed) {
+  for (const int label : changed) regions_[static_cast<std::size_t>(label - 1)].is_good = false;
   bool all_good = true;
-  std::vector<std::pair<int, Vector2>> flaws;
   for (std::size_t k = 0; k < regions_.size(); ++k) {
     Region& region = regions_[k];
     if (region.is_good) continue;
     const int label = static_cast<int>(k) + 1;
     region.is_good = isSimple(region, outlines);
+    assemble(label, region, outlines);
     if (region.is_good) {
-      assemble(label, region, outlines);
       if (const auto flaw = shapes_.flaw(region.flat)) {
+        ++region.flaws;
         region.is_good = !refineAt(label, region, *flaw, outlines);
       }
     }
@@ -95,26 +115,23 @@ bool PolygonBuilder::build(OutlineArcs& outlines) {
 /// Whether leaving out corners and rings changes the area by little enough.
 bool PolygonBuilder::isSimple(Region& region, OutlineArcs& outlines) const {
   const std::vector<LabelRing>& rings = outlines.arcs().rings;
-  double change = 0.0, left_out = 0.0;
+  double change = 0.0;
   for (const Ring& ring : region.rings) {
-    if (ring.is_left_out) {
-      left_out -= ring.area;
-      continue;
-    }
+    if (ring.is_left_out) continue;
     for (const LabelRing::Part& part : rings[static_cast<std::size_t>(ring.ring)].parts) {
       const DrawnArc& arc = outlines.drawn(part.arc);
       change += region.turn * (part.is_reversed ? -arc.change[1] : arc.change[0]);
     }
   }
-  const double limit = options_.max_area_change * std::abs(region.area);
-  if (std::abs(left_out) > limit) {
-    for (Ring& ring : region.rings) ring.is_left_out = false;
-    return false;
-  }
-  if (std::abs(change + left_out) <= limit) return true;
+  if (std::abs(change) <= 0.5 * options_.max_area_change * std::abs(region.area)) return true;
+  bool can_refine = false;
   for (const Ring& ring : region.rings)
-    for (const LabelRing::Part& part : rings[static_cast<std::size_t>(ring.ring)].parts) outlines.refine(part.arc);
-  return false;
+    for (const LabelRing::Part& part : rings[static_cast<std::size_t>(ring.ring)].parts) {
+      if (!(outlines.drawn(part.arc).scale > 0.0)) continue;
+      outlines.refine(part.arc, true);
+      can_refine = true;
+    }
+  return !can_refine;
 }
 
 SurfaceRing PolygonBuilder::drawnRing(int label, int ring, double turn, const OutlineArcs& outlines) const {
@@ -169,31 +186,45 @@ void PolygonBuilder::assemble(int label, Region& region, const OutlineArcs& outl
   }
 }
 
-/// False if nothing can be drawn finer.
+/// False if nothing can be drawn finer. What is not valid again and again is drawn as the pixels have it, which is.
 bool PolygonBuilder::refineAt(int label, const Region& region, const Vector2& place, OutlineArcs& outlines) const {
+  if (region.flaws < kPatience) {
+    const int blamed = arcAt(label, region, place, outlines);
+    if (blamed >= 0) outlines.refine(blamed);
+    return blamed >= 0;
+  }
+  bool can_refine = false;
+  for (const Ring& own : region.rings)
+    for (const LabelRing::Part& part : outlines.arcs().rings[static_cast<std::size_t>(own.ring)].parts) {
+      can_refine = can_refine || outlines.canRefine(part.arc);
+      outlines.release(part.arc);
+    }
+  return can_refine;
+}
+
+/// The arc nearest to a place, of those that can be drawn finer; -1 if there is none.
+int PolygonBuilder::arcAt(int label, const Region& region, const Vector2& place, const OutlineArcs& outlines) const {
   double nearest = std::numeric_limits<double>::infinity();
-  int blamed = -1;
+  int found = -1;
   for (const Ring& own : region.rings) {
     for (const LabelRing::Part& part : outlines.arcs().rings[static_cast<std::size_t>(own.ring)].parts) {
-      const DrawnArc& arc = outlines.drawn(part.arc);
-      if (arc.scale == 0.0 && (arc.runs.empty() || !arc.is_closed_up)) continue;
+      if (!outlines.canRefine(part.arc)) continue;
       Vector2 before = Vector2::Zero();
-      for (std::size_t i = 0; i < arc.vertices.size(); ++i) {
-        const Vector2 flat = planes_.flat(label, outlines.vertexPoint(label, part.arc, arc.vertices[i]));
+      const std::vector<DrawnArc::Vertex>& vertices = outlines.drawn(part.arc).vertices;
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vector2 flat = planes_.flat(label, outlines.vertexPoint(label, part.arc, vertices[i]));
         const double distance = distanceToSegment(place, i > 0 ? before : flat, flat);
         before = flat;
         if (distance >= nearest) continue;
         nearest = distance;
-        blamed = part.arc;
+        found = part.arc;
       }
     }
   }
-  if (blamed < 0) return false;
-  if (!outlines.open(blamed)) outlines.refine(blamed);
-  return true;
+  return found;
 }
 
-void PolygonBuilder::mend(Region& region) {
+void PolygonBuilder::mend(int label, Region& region) {
   FlatPoints points;
   for (const SurfacePiece& piece : region.polygon.pieces) {
     points.add(piece.outline);
@@ -212,6 +243,7 @@ void PolygonBuilder::mend(Region& region) {
   region.polygon.pieces.clear();
   region.polygon.is_mended = true;
   for (const FlatPolygon& flat : region.flat) {
+    if (epcc::ringArea(flat.outline) < kLeastPiece * planes_.pixelArea(label)) continue;
     SurfacePiece piece{ringOf(flat.outline), {}};
     for (const FlatRing& hole : flat.holes) piece.holes.push_back(ringOf(hole));
     region.polygon.pieces.push_back(std::move(piece));
@@ -243,7 +275,7 @@ std::vector<SurfacePolygon> PolygonBuilder::surfaces() {
   for (std::size_t k = 0; k < regions_.size(); ++k) {
     Region& region = regions_[k];
     region.polygon.basis = planes_.basis(static_cast<int>(k) + 1);
-    if (shapes_.flaw(region.flat)) mend(region);
+    if (shapes_.flaw(region.flat)) mend(static_cast<int>(k) + 1, region);
     measure(static_cast<int>(k) + 1, region);
     all.push_back(std::move(region.polygon));
   }

@@ -18,8 +18,9 @@ class PolygonBuilder {
   PolygonBuilder(const PixelRays& rays, const PolygonOptions& options, const OutlinePlanes& planes,
                  const OutlineArcs& outlines);
 
-  /// Builds what is not good yet. True if all are; else the arcs that are to blame are to be drawn anew.
-  bool build(OutlineArcs& outlines);
+  /// Builds what is not good yet or has changed. True if all are good; else the arcs that are to blame are to be drawn
+  /// anew.
+  bool build(OutlineArcs& outlines, const std::vector<int>& changed);
   /// What was built last; polygons that are still not valid are mended.
   std::vector<SurfacePolygon> surfaces();
 
@@ -34,17 +35,20 @@ class PolygonBuilder {
     double turn = 1.0;        ///< -1 if the picture is a mirror image of the plane
     double area = 0.0;        ///< of all rings
     bool is_good = false;
+    int flaws = 0;  ///< times that it was not valid
     SurfacePolygon polygon;
     std::vector<FlatPolygon> flat;  ///< of the polygon's pieces, in their order
   };
 
   void sortRings(const OutlineArcs& outlines);
+  void leaveOut(const std::vector<LabelRing>& rings, Region& region) const;
   double ringArea(const OutlineArcs& outlines, int ring) const;
   bool isSimple(Region& region, OutlineArcs& outlines) const;
   void assemble(int label, Region& region, const OutlineArcs& outlines);
   SurfaceRing drawnRing(int label, int ring, double turn, const OutlineArcs& outlines) const;
   bool refineAt(int label, const Region& region, const Vector2& place, OutlineArcs& outlines) const;
-  void mend(Region& region);
+  int arcAt(int label, const Region& region, const Vector2& place, const OutlineArcs& outlines) const;
+  void mend(int label, Region& region);
   void measure(int label, Region& region);
 
   const PixelRays& rays_;

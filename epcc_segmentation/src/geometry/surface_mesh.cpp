@@ -20,19 +20,15 @@ class MeshBuilder {
 
   void add(const SurfacePolygon& surface) {
     for (const SurfacePiece& piece : surface.pieces) {
-      FlatPoints points;
       FlatPolygon flat{piece.outline.flat, {}};
-      points.add(piece.outline);
+      std::vector<Vector3> points = piece.outline.points;
       for (const SurfaceRing& hole : piece.holes) {
-        points.add(hole);
         flat.holes.push_back(hole.flat);
+        points.insert(points.end(), hole.points.begin(), hole.points.end());
       }
       for (const auto& triangle : pieceTriangles(shapes_, flat)) {
         std::array<int, 3> corners;
-        for (std::size_t k = 0; k < 3; ++k) {
-          const Vector3* known = points.find(triangle[k]);
-          corners[k] = vertex(known != nullptr ? *known : surface.basis.point(triangle[k]));
-        }
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = vertex(points[triangle[k]]);
         if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
         mesh_.triangles.push_back(corners);
         mesh_.labels.push_back(surface.label);

@@ -19,7 +19,7 @@ namespace epcc {
 
 namespace {
 
-constexpr int kMostPasses = 8;
+constexpr int kMostPasses = 40;
 
 bool isIn(double value, double least, double most) {
   return value >= least && value <= most;
@@ -56,8 +56,7 @@ SurfacePolygons draw(const DepthFrame& frame, const SensorModel& sensor, const P
   PolygonBuilder builder(rays, options, planes, outlines);
   bool is_done = false;
   for (int pass = 0; pass < kMostPasses && !is_done; ++pass) {
-    outlines.draw();
-    is_done = builder.build(outlines);
+    is_done = builder.build(outlines, outlines.draw());
   }
   SurfacePolygons result;
   result.surfaces = builder.surfaces();
