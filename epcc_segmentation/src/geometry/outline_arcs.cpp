@@ -43,8 +43,10 @@ OutlineArcs::OutlineArcs(const PixelRays& rays, const SensorModel& sensor, const
         flat.push_back(planes_.flat(label, planes_.corner(label, arcs_.row(corner), arcs_.column(corner))));
     }
     findRuns(static_cast<int>(i));
-    drawn_[i].is_closed_up = options_.close_edges;
   }
+  std::vector<int> changed;
+  settleJunctions(changed);
+  for (DrawnArc& drawn : drawn_) drawn.is_closed_up = options_.close_edges;
 }
 
 double OutlineArcs::place(int corner, bool row) const {
@@ -165,7 +167,12 @@ void OutlineArcs::settle(int corner, std::vector<Claim>& claims) {
   junctions_[corner] = shared;
   for (const Claim& claim : claims) {
     const LabelArc& arc = arcs_.arcs[static_cast<std::size_t>(claim.arc)];
-    if (!takes(arc.left) || !takes(arc.right)) trim(claim);
+    if (!takes(arc.left) || !takes(arc.right)) {
+      trim(claim);
+      continue;
+    }
+    std::vector<CreaseRun>& runs = drawn_[static_cast<std::size_t>(claim.arc)].runs;
+    (claim.at_end ? runs.back().last : runs.front().first) = shared.point;
   }
 }
 

@@ -43,8 +43,9 @@ std::vector<std::array<std::size_t, 3>> pieceTriangles(GeosShapes& shapes, const
     FlatPolygon turned = polygon;
     turn(turned, angle);
     std::unordered_map<Vector2, std::size_t, BitsHash<Vector2>> numbers;
+    std::size_t next = 0;
     const auto number = [&](const FlatRing& ring) {
-      for (const Vector2& p : ring) numbers.emplace(p, numbers.size());
+      for (const Vector2& p : ring) numbers.emplace(p, next++);
     };
     number(turned.outline);
     for (const FlatRing& hole : turned.holes) number(hole);

@@ -11,7 +11,7 @@
 namespace epcc {
 
 /// Counter-clockwise triangles, as numbers of the polygon's points: those of the outline, then hole by hole. A corner
-/// where rings touch has several numbers. None if the polygon cannot be triangulated.
+/// where rings touch has one of its numbers. None if the polygon cannot be triangulated.
 std::vector<std::array<std::size_t, 3>> pieceTriangles(GeosShapes& shapes, const FlatPolygon& polygon);
 
 }  // namespace epcc

@@ -137,6 +137,11 @@ void PixelRays::readRays() {
       along.push_back(mean.count > 0.0 ? mean.x / mean.count : kNoValue);
   }
   if (!is_camera_) unwrap(across);
+  // A single row or column has a step all the same.
+  if (frame_.isPinhole()) {
+    across.push_back(frame_.pinholeAcross(width_));
+    along.push_back(frame_.pinholeAlong(height_));
+  }
   across_ = RayTable(std::move(across));
   along_ = RayTable(std::move(along));
 }
