@@ -42,10 +42,9 @@ class Geos {
   }
   Shape together(const SurfacePolygon& surface) const {
     std::vector<GEOSGeometry*> parts;
-    for (const SurfacePiece& piece : surface.pieces)
-      parts.push_back(GEOSGeom_clone_r(context_, polygon(piece).get()));
-    return own(GEOSGeom_createCollection_r(context_, GEOS_MULTIPOLYGON, parts.data(),
-                                           static_cast<unsigned>(parts.size())));
+    for (const SurfacePiece& piece : surface.pieces) parts.push_back(GEOSGeom_clone_r(context_, polygon(piece).get()));
+    return own(
+        GEOSGeom_createCollection_r(context_, GEOS_MULTIPOLYGON, parts.data(), static_cast<unsigned>(parts.size())));
   }
   bool isValid(const Shape& shape) const { return GEOSisValid_r(context_, shape.get()) == 1; }
   /// How many of the points lie outside.
@@ -54,7 +53,10 @@ class Geos {
     int count = 0;
     for (const Vector2& p : points) {
       const Shape point = own(GEOSGeom_createPointFromXY_r(context_, p.x(), p.y()));
-      count += GEOSPreparedIntersects_r(context_, prepared, point.get()) == 1 ? 0 : 1;
+      if (GEOSPreparedIntersects_r(context_, prepared, point.get()) == 1) continue;
+      double distance = 0.0;  // of a triangle as thin as rounding
+      GEOSPreparedDistance_r(context_, prepared, point.get(), &distance);
+      count += distance > 1e-9 ? 1 : 0;
     }
     GEOSPreparedGeom_destroy_r(context_, prepared);
     return count;
@@ -66,7 +68,8 @@ class Geos {
     for (const Vector2& p : points) numbers.insert(numbers.end(), {p.x(), p.y()});
     numbers.insert(numbers.end(), {points[0].x(), points[0].y()});
     return GEOSGeom_createLinearRing_r(
-        context_, GEOSCoordSeq_copyFromBuffer_r(context_, numbers.data(), static_cast<unsigned>(numbers.size() / 2), 0, 0));
+        context_,
+        GEOSCoordSeq_copyFromBuffer_r(context_, numbers.data(), static_cast<unsigned>(numbers.size() / 2), 0, 0));
   }
   Shape own(GEOSGeometry* shape) const {
     return Shape(shape, [context = context_](GEOSGeometry* g) {
@@ -121,8 +124,8 @@ inline void expectSoundMesh(const SurfaceMesh& mesh, const std::vector<SurfacePo
     points[mesh.labels[i]].push_back(middle);
     for (int k = 0; k < 3; ++k)
       for (const double share : {0.02, 0.25, 0.5, 0.75})
-        points[mesh.labels[i]].push_back(
-            middle + 0.999 * ((1.0 - share) * corners[k] + share * corners[(k + 1) % 3] - middle));
+        points[mesh.labels[i]].push_back(middle +
+                                         0.999 * ((1.0 - share) * corners[k] + share * corners[(k + 1) % 3] - middle));
   }
   for (const SurfacePolygon& surface : surfaces) {
     SCOPED_TRACE("surface " + std::to_string(surface.label));

@@ -43,6 +43,16 @@ EPCC_CORE_EXPORT PlaneBasis planeBasis(const DepthFrame& frame, const Plane& pla
 struct SurfaceRing {
   std::vector<Vector3> points;  ///< metres, in the frame of the cloud
   std::vector<Vector2> flat;    ///< the same in the plane's basis
+
+  /// Square metres; negative of a hole, which runs clockwise.
+  double signedArea() const {
+    double twice = 0.0;
+    for (std::size_t i = 2; i < flat.size(); ++i) {
+      const Vector2 a = flat[i - 1] - flat[0], b = flat[i] - flat[0];
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return 0.5 * twice;
+  }
 };
 
 /// One connected part of a surface: its outline, counter-clockwise for the sensor, and its holes, clockwise.
@@ -86,16 +96,17 @@ enum class OutlinePlacement {
 /// How outlines are drawn. The defaults suit all sensors whose model is known.
 struct PolygonOptions {
   OutlinePlacement placement = OutlinePlacement::AlongRay;
-  /// How far the outline may be from the pixels' own edges, pixels. Raise it for fewer points; below 0.7 the steps of
-  /// slanted borders stay; 0: each pixel's edge is drawn. [0, 100]
+  /// How far the pixels' own edges may be to either side of the outline, pixels. Raise it for fewer points; below 0.71
+  /// the steps of slanted borders stay; 0: each pixel's edge is drawn. [0, 100]
   double tolerance_pixels = 0.75;
   /// The same for the noise: this many standard deviations of the depth, as long as they are on the plane, come on top
   /// (together never more than four times tolerance_pixels). Raise it for fewer points with a noisy sensor. [0, 100]
   double tolerance_sigma = 0.5;
-  /// The largest share of a surface's area that drawing it simpler may add or take away; where it would be more, the
-  /// tolerance is halved until it is not. [0, 1]
-  double max_area_change = 0.004;
-  /// Pieces and holes of fewer pixels are left out (holes: filled), as long as max_area_change allows. [0, 1e9]
+  /// The largest share of a surface's area that drawing it simpler may add or take away, one half by other lines, where
+  /// the tolerance is halved until it is kept, the other by rings that are left out. [0, 1]
+  double max_area_change = 0.008;
+  /// Pieces and holes of fewer pixels are left out (holes: filled), the smallest first, as long as max_area_change
+  /// allows. Raise it, and max_area_change, to fill the holes of a sensor that leaves pixels out. [0, 1e9]
   int min_ring_pixels = 4;
   /// Borders of two surfaces that meet are moved onto their planes' common line, so that both have the same points
   /// there and a mesh is closed. Off: each border is as the pixels have it.

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/balanced_lines.h"
+
 namespace epcc {
 
 namespace {
@@ -219,54 +221,77 @@ Eigen::Vector3d OutlineArcs::vertexPoint(int label, int arc, const DrawnArc::Ver
   const int corner = arcs_.arcs[static_cast<std::size_t>(arc)].corners[vertex.corner];
   if (const Junction* shared = junction(corner, label)) return shared->point;
   if (vertex.shared) return *vertex.shared;
-  return planes_.corner(label, arcs_.row(corner), arcs_.column(corner));
+  return planes_.corner(label, arcs_.row(corner), arcs_.column(corner), vertex.shift);
 }
 
 void OutlineArcs::drawArc(int arc) {
   DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
-  const std::size_t last = arcs_.arcs[static_cast<std::size_t>(arc)].corners.size() - 1;
-  std::vector<char> keep(last + 1, 0);
-  keep[0] = keep[last] = 1;
-  drawn.vertices.clear();
+  const std::vector<int>& corners = arcs_.arcs[static_cast<std::size_t>(arc)].corners;
   drawn.change[0] = drawn.change[1] = 0.0;
-  std::map<std::size_t, Eigen::Vector3d> shared;
+  drawn.vertices.assign(1, {0, Eigen::Vector2d::Zero(), std::nullopt});
   std::size_t begin = 0;
-  const auto simplifyTo = [&](std::size_t end) {
-    if (end > begin) simplify(arc, begin, end, keep);
-    for (int side = 0; side < 2 && end > begin; ++side) {
-      const std::vector<Vector2>& flat = drawn.flat[side];
-      if (flat.empty()) continue;
-      for (std::size_t from = begin, to = begin; from < end; from = to) {
-        const Eigen::Vector2d origin = flat[from];
-        to = from + 1;
-        double between = 0.0;  // twice the area between the corners and the line that takes their place
-        for (; keep[to] == 0; ++to) between += cross(flat[to] - origin, flat[to + 1] - origin);
-        drawn.change[side] -= 0.5 * between;
-      }
-    }
-  };
   if (drawn.is_closed_up) {
     for (const CreaseRun& run : drawn.runs) {
-      keep[run.begin] = keep[run.end] = 1;
-      simplifyTo(run.begin);
-      shared[run.begin] = run.first;
-      shared[run.end] = run.last;
+      drawStretch(arc, begin, run.begin);
+      drawn.vertices.back().shared = run.first;
+      drawn.vertices.push_back({run.end, Eigen::Vector2d::Zero(), run.last});
       begin = run.end;
     }
   }
-  simplifyTo(last);
-  if (arcs_.arcs[static_cast<std::size_t>(arc)].corners.front() ==
-      arcs_.arcs[static_cast<std::size_t>(arc)].corners.back()) {
-    if (shared.count(0) != 0)
-      shared[last] = shared[0];  // its ends are one
-    else if (shared.count(last) != 0)
-      shared[0] = shared[last];
+  drawStretch(arc, begin, corners.size() - 1);
+  if (corners.front() != corners.back()) return;
+  DrawnArc::Vertex &first = drawn.vertices.front(), &last = drawn.vertices.back();  // are one
+  if (first.shared)
+    last.shared = first.shared;
+  else
+    first.shared = last.shared;
+}
+
+/// Adds the vertices between two corners that stay where they are, and the second of them.
+void OutlineArcs::drawStretch(int arc, std::size_t begin, std::size_t end) {
+  if (begin == end) return;
+  DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
+  const std::vector<int>& corners = arcs_.arcs[static_cast<std::size_t>(arc)].corners;
+  const std::size_t first_vertex = drawn.vertices.size() - 1;
+  const std::vector<std::size_t> kept = simplify(arc, begin, end);
+  std::vector<Eigen::Vector2d> places;
+  for (std::size_t i = begin; i <= end; ++i) places.push_back(pixelPlace(corners[begin], corners[i]));
+  const bool is_whole = begin == 0 && end + 1 == corners.size() && corners.front() == corners.back();
+  const std::vector<Eigen::Vector2d> shifts = balancedShifts(places, kept, begin, is_whole);
+  drawn.vertices.back().shift = shifts.front();
+  for (std::size_t i = 1; i < kept.size(); ++i) drawn.vertices.push_back({kept[i], shifts[i], std::nullopt});
+  measureChange(arc, begin, end, first_vertex);
+}
+
+/// The area between the corners and the vertices drawn for them.
+void OutlineArcs::measureChange(int arc, std::size_t begin, std::size_t end, std::size_t first_vertex) {
+  DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
+  const LabelArc& own = arcs_.arcs[static_cast<std::size_t>(arc)];
+  for (int side = 0; side < 2; ++side) {
+    const std::vector<Vector2>& flat = drawn.flat[side];
+    if (flat.empty()) continue;
+    const int label = side == 0 ? own.left : own.right;
+    const Eigen::Vector2d origin = flat[begin];
+    double twice = 0.0;
+    for (std::size_t i = begin; i < end; ++i) twice -= cross(flat[i] - origin, flat[i + 1] - origin);
+    Eigen::Vector2d before = Eigen::Vector2d::Zero();
+    for (std::size_t i = first_vertex; i < drawn.vertices.size(); ++i) {
+      const DrawnArc::Vertex& vertex = drawn.vertices[i];
+      const int corner = own.corners[vertex.corner];
+      Eigen::Vector2d place = flat[vertex.corner];
+      if (!vertex.shift.isZero())
+        place = planes_.flat(label, planes_.corner(label, arcs_.row(corner), arcs_.column(corner), vertex.shift));
+      place -= origin;
+      if (i > first_vertex) twice += cross(before, place);
+      before = place;
+    }
+    drawn.change[side] += 0.5 * twice;
   }
-  for (std::size_t i = 0; i <= last; ++i) {
-    if (keep[i] == 0) continue;
-    const auto found = shared.find(i);
-    drawn.vertices.push_back({i, found == shared.end() ? std::nullopt : std::optional<Eigen::Vector3d>(found->second)});
-  }
+}
+
+/// Columns and rows from one corner to another.
+Eigen::Vector2d OutlineArcs::pixelPlace(int from, int corner) const {
+  return {static_cast<double>(columnsApart(from, corner)), static_cast<double>(arcs_.row(corner) - arcs_.row(from))};
 }
 
 double OutlineArcs::tolerance(const LabelArc& arc, int corner) const {
@@ -289,42 +314,60 @@ int OutlineArcs::columnsApart(int from, int to) const {
   return columns;
 }
 
-/// Pixels from a corner to the straight line in space, as it is seen, between two others.
-double OutlineArcs::deviation(int from, int to, int corner) const {
-  const Eigen::Vector2d chord(columnsApart(from, to), arcs_.row(to) - arcs_.row(from));
-  const Eigen::Vector2d own(columnsApart(from, corner), arcs_.row(corner) - arcs_.row(from));
+/// Pixels from a corner to the straight line in space, as it is seen, between two others: positive to one side of it.
+/// Beyond its ends the distance to the nearer end, `is_beyond`.
+double OutlineArcs::deviation(int from, int to, int corner, bool& is_beyond) const {
+  const Eigen::Vector2d chord = pixelPlace(from, to), own = pixelPlace(from, corner);
   const double share = chord.squaredNorm() > 0.0 ? own.dot(chord) / chord.squaredNorm() : -1.0;
-  if (share < 0.0) return own.norm();
-  if (share > 1.0) return (own - chord).norm();
+  is_beyond = share < 0.0 || share > 1.0;
+  if (is_beyond) return share < 0.0 ? own.norm() : (own - chord).norm();
   const auto rayOf = [&](int c) { return rays_.ray(place(c, false), place(c, true)); };
   const Eigen::Vector3d normal = rayOf(from).cross(rayOf(to));
   const double column = place(corner, false), row = place(corner, true);
   const double slope = std::hypot(normal.dot(rays_.rayByColumn(column)), normal.dot(rays_.rayByRow(row)));
-  return slope > 0.0 ? std::abs(normal.dot(rays_.ray(column, row))) / slope : own.norm();
+  return slope > 0.0 ? normal.dot(rays_.ray(column, row)) / slope : 0.0;
 }
 
-/// Douglas and Peucker (1973), each corner with its own tolerance.
-void OutlineArcs::simplify(int arc, std::size_t begin, std::size_t end, std::vector<char>& keep) const {
+/// The corner farthest from the line between two others, if a line through the middle of all between them would leave
+/// some beyond their tolerance; 0 if not.
+std::size_t OutlineArcs::farthest(int arc, std::size_t from, std::size_t to) const {
   const LabelArc& own = arcs_.arcs[static_cast<std::size_t>(arc)];
   const double scale = drawn_[static_cast<std::size_t>(arc)].scale;
+  double most = 0.0, least = 0.0, beyond = 0.0, worst = 0.0;  // in tolerances
+  std::size_t at = 0;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    bool is_beyond = false;
+    const double limit = std::max(kLeastTolerance, scale * tolerance(own, own.corners[i]));
+    const double share = deviation(own.corners[from], own.corners[to], own.corners[i], is_beyond) / limit;
+    if (is_beyond) {
+      beyond = std::max(beyond, share);
+    } else {
+      most = std::max(most, share);
+      least = std::min(least, share);
+    }
+    if (std::abs(share) <= worst) continue;
+    worst = std::abs(share);
+    at = i;
+  }
+  return most - least > 2.0 || beyond > 1.0 ? at : 0;
+}
+
+/// After Douglas and Peucker (1973), for lines that are balanced afterwards: the corners that stay, both ends among
+/// them.
+std::vector<std::size_t> OutlineArcs::simplify(int arc, std::size_t begin, std::size_t end) const {
+  std::vector<std::size_t> kept = {begin, end};
   std::vector<std::pair<std::size_t, std::size_t>> open = {{begin, end}};
   while (!open.empty()) {
     const auto [from, to] = open.back();
     open.pop_back();
-    double worst = 1.0;
-    std::size_t at = 0;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const double limit = std::max(kLeastTolerance, scale * tolerance(own, own.corners[i]));
-      const double share = deviation(own.corners[from], own.corners[to], own.corners[i]) / limit;
-      if (share <= worst) continue;
-      worst = share;
-      at = i;
-    }
+    const std::size_t at = farthest(arc, from, to);
     if (at == 0) continue;
-    keep[at] = 1;
+    kept.push_back(at);
     open.push_back({from, at});
     open.push_back({at, to});
   }
+  std::sort(kept.begin(), kept.end());
+  return kept;
 }
 
 double OutlineArcs::cornersArea(int arc, int side) const {

@@ -24,6 +24,7 @@ struct CreaseRun {
 struct DrawnArc {
   struct Vertex {
     std::size_t corner;                     ///< in the arc
+    Eigen::Vector2d shift;                  ///< from the corner, columns and rows
     std::optional<Eigen::Vector3d> shared;  ///< the point that both sides have, scan frame; else each on its own plane
   };
   std::vector<CreaseRun> runs;
@@ -73,9 +74,13 @@ class OutlineArcs {
   std::optional<Eigen::Vector3d> commonPoint(const std::vector<int>& labels, int corner) const;
   const PlaneCrease* crease(int arc);
   void drawArc(int arc);
-  void simplify(int arc, std::size_t begin, std::size_t end, std::vector<char>& keep) const;
+  void drawStretch(int arc, std::size_t begin, std::size_t end);
+  void measureChange(int arc, std::size_t begin, std::size_t end, std::size_t first_vertex);
+  Eigen::Vector2d pixelPlace(int from, int corner) const;
+  std::vector<std::size_t> simplify(int arc, std::size_t begin, std::size_t end) const;
   double tolerance(const LabelArc& arc, int corner) const;
-  double deviation(int from, int to, int corner) const;
+  double deviation(int from, int to, int corner, bool& is_beyond) const;
+  std::size_t farthest(int arc, std::size_t from, std::size_t to) const;
   double place(int corner, bool row) const;
   int columnsApart(int from, int to) const;
   const Junction* junction(int corner, int label) const;

@@ -88,8 +88,8 @@ double OutlinePlanes::measuredAt(int label, int row, int column) const {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-Eigen::Vector3d OutlinePlanes::corner(int label, int row, int column) const {
-  const Eigen::Vector3d ray = rays_.ray(column - 0.5, row - 0.5);
+Eigen::Vector3d OutlinePlanes::corner(int label, int row, int column, const Eigen::Vector2d& shift) const {
+  const Eigen::Vector3d ray = rays_.ray(column - 0.5 + shift.x(), row - 0.5 + shift.y());
   const Eigen::Vector3d& own = q(label);
   const double on_plane = own.dot(ray);
   double w = std::max(on_plane, least_w_[static_cast<std::size_t>(label - 1)]);

@@ -26,8 +26,9 @@ class OutlinePlanes {
   /// The sum of the footprints of the region's pixels, square metres.
   double pixelArea(int label) const { return pixel_areas_[static_cast<std::size_t>(label - 1)]; }
 
-  /// A corner up and left of the pixel (row, column) on the plane, in the scan frame.
-  Eigen::Vector3d corner(int label, int row, int column) const;
+  /// A corner up and left of the pixel (row, column), or a place less than a pixel from it (columns, rows), on the
+  /// plane, in the scan frame.
+  Eigen::Vector3d corner(int label, int row, int column, const Eigen::Vector2d& shift = Eigen::Vector2d::Zero()) const;
   /// A point of the scan frame in the plane's basis.
   Eigen::Vector2d flat(int label, const Eigen::Vector3d& scan_point) const;
 

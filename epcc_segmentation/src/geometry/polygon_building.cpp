@@ -17,7 +17,7 @@ namespace epcc {
 namespace {
 
 constexpr int kPatience = 12;         // flaws that are looked for one by one
-constexpr double kLeastPiece = 1e-6;  // of the pixels' area: what mending leaves in smaller bits
+constexpr double kLeastPiece = 1e-8;  // of the pixels' area: smaller ones are rounding
 
 double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const Eigen::Vector2d along = b - a;
@@ -174,7 +174,8 @@ void PolygonBuilder::assemble(int label, Region& region, const OutlineArcs& outl
     if (own.is_left_out || (!is_outline && !has_outline)) continue;
     SurfaceRing ring = drawnRing(label, own.ring, region.turn, outlines);
     const double area = epcc::ringArea(ring.flat);
-    if (ring.flat.size() < 3 || (is_outline ? !(area > 0.0) : !(area < 0.0))) continue;  // nothing is left inside
+    const double inside = is_outline ? area : -area;
+    if (ring.flat.size() < 3 || !(inside > kLeastPiece * planes_.pixelArea(label))) continue;  // nothing is left
     if (is_outline) {
       has_outline = true;
       region.flat.push_back({ring.flat, {}});

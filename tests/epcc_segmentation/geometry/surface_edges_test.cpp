@@ -94,7 +94,8 @@ TEST(PlaneEdges, AreasAreThoseOfThePixels) {
         for (int column = 0; column < 640; ++column) {
           if (segmentation.labels[static_cast<std::size_t>(row * 640 + column)] != surface.label) continue;
           const auto corner = [&](double r, double c) -> Eigen::Vector3d {
-            const Eigen::Vector3d ray((c - room.camera.cx) / room.camera.fx, (r - room.camera.cy) / room.camera.fy, 1.0);
+            const Eigen::Vector3d ray((c - room.camera.cx) / room.camera.fx, (r - room.camera.cy) / room.camera.fy,
+                                      1.0);
             return ray * (-plane.coefficients(3) / normal.dot(ray));
           };
           const Eigen::Vector3d a = corner(row - 0.5, column - 0.5), b = corner(row - 0.5, column + 0.5),
@@ -197,7 +198,8 @@ TEST(PlaneEdges, NoisyRoomSegmented) {
       const SurfacePolygons apart = surfacePolygons(room.frame(), sensor, segmentation, options);
       test::expectSoundSurfaces(apart, surfaceMesh(apart.surfaces));
       for (const SurfacePolygon& surface : apart.surfaces)
-        EXPECT_NEAR(surface.area, surface.pixel_area, 0.02 * surface.pixel_area);
+        EXPECT_NEAR(surface.area, surface.pixel_area,
+                    (placement == OutlinePlacement::AlongRay ? 0.01 : 0.04) * surface.pixel_area);
     }
   }
 }

@@ -2,6 +2,8 @@
 // The files epcc_segment writes, for one input and for many.
 #include <sys/stat.h>
 
+#include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "datasets/files/organized_pcd.h"
@@ -54,6 +56,73 @@ TEST_F(SegmentOutput, FolderWithSegments) {
                                  "room_segments.csv", "room_segments.png"}));
   expectFailure({"room_depth.png", "--with-segments"}, 2, "--out");
 }
+
+#ifdef EPCC_WITH_GEOS
+TEST_F(SegmentOutput, MeshAndPolygons) {
+  const ToolResult result = run({"room_depth.png", "--mesh", "m.ply", "--polygons", "p.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto list = nlohmann::json::parse(read("p.json"));
+  EXPECT_EQ(list.at("version"), 1);
+  ASSERT_EQ(list.at("surfaces").size(), 2U);
+  EXPECT_GE(list.at("surfaces")[0].at("pieces")[0].at("outline").at("points").size(), 3U);
+  ASSERT_EQ(list.at("edges").size(), 1U);
+  EXPECT_EQ(list.at("edges")[0].at("planes"), (std::vector<int>{1, 2}));
+  EXPECT_NEAR(list.at("edges")[0].at("angle").get<double>(), M_PI_2, 0.01);
+  EXPECT_EQ(list.at("edges")[0].at("convex"), false);
+  for (const auto& surface : list.at("surfaces"))
+    EXPECT_NEAR(surface.at("area").get<double>(), surface.at("pixel_area").get<double>(),
+                0.03 * surface.at("pixel_area").get<double>());
+
+  // Every face of the binary file is a triangle of its vertices.
+  const std::string ply = read("m.ply");
+  const auto count = [&ply](const std::string& element) {
+    return std::stoul(ply.substr(ply.find("element " + element + ' ') + element.size() + 9));
+  };
+  const std::size_t begin = ply.find("end_header\n") + 11;
+  EXPECT_EQ(ply.substr(0, 36), "ply\nformat binary_little_endian 1.0\n");
+  ASSERT_EQ(ply.size(), begin + 12 * count("vertex") + 20 * count("face"));
+  for (std::size_t face = 0; face < count("face"); ++face) {
+    const char* bytes = &ply[begin + 12 * count("vertex") + 20 * face];
+    EXPECT_EQ(bytes[0], 3);
+    for (int k = 0; k < 3; ++k) {
+      std::int32_t corner;
+      std::memcpy(&corner, bytes + 1 + 4 * k, 4);
+      EXPECT_LT(static_cast<std::size_t>(corner), count("vertex"));
+    }
+    std::int32_t label;
+    std::memcpy(&label, bytes + 16, 4);
+    EXPECT_TRUE(label == 1 || label == 2);
+  }
+
+  // The same as text and as OBJ.
+  ASSERT_EQ(run({"room_depth.png", "--mesh", "t.ply", "--mesh-text"}).exit_code, 0);
+  const std::string text = read("t.ply");
+  EXPECT_EQ(text.substr(0, 21), "ply\nformat ascii 1.0\n");
+  EXPECT_EQ(
+      static_cast<std::size_t>(std::count(text.begin() + static_cast<long>(text.find("end_header")), text.end(), '\n')),
+      1 + count("vertex") + count("face"));
+  ASSERT_EQ(run({"room_depth.png", "--mesh", "m.obj"}).exit_code, 0);
+  const std::string obj = read("m.obj");
+  std::size_t vertices = 0, faces = 0;
+  for (std::size_t at = obj.find('\n'); at != std::string::npos; at = obj.find('\n', at + 1)) {
+    vertices += obj.compare(at + 1, 2, "v ") == 0 ? 1 : 0;
+    faces += obj.compare(at + 1, 2, "f ") == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(vertices, count("vertex"));
+  EXPECT_EQ(faces, count("face"));
+  EXPECT_NE(obj.find("g plane_2\n"), std::string::npos);
+}
+
+TEST_F(SegmentOutput, FolderWithSurfaces) {
+  EXPECT_EQ(run({"room_depth.png", "--out", "out", "--with-surfaces"}).exit_code, 0);
+  EXPECT_EQ(names("out"), (Names{"room_cloud.pcd", "room_labels.png", "room_mesh.ply", "room_overlay.png",
+                                 "room_planes.json", "room_polygons.json"}));
+  expectFailure({"room_depth.png", "--with-surfaces"}, 2, "--out");
+  expectFailure({"room_depth.png", "--mesh", "mesh.stl"}, 2, "ends neither in .ply nor in .obj");
+  expectFailure({"room_depth.png", "--mesh", "a.ply", "--polygons", "a.ply"}, 2, "twice");
+  expectFailure({"room_depth.png", "--mesh", "nowhere/a.ply"}, 4, "nowhere");
+}
+#endif
 
 TEST_F(SegmentOutput, CloudAndDepthImageAgree) {
   writeCloud("room.pcd");
