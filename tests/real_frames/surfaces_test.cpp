@@ -117,6 +117,7 @@ TEST_P(RealSurfaces, EveryFrameIsSound) {
     PlaneSegmentation segmentation;
     ASSERT_TRUE(extractor.extract(frameView(frame), segmentation)) << extractor.error();
     for (const OutlinePlacement placement : {OutlinePlacement::AlongRay, OutlinePlacement::Orthogonal}) {
+      if (placement == OutlinePlacement::Orthogonal && i / step % 4 != 0) continue;
       PolygonOptions options;
       options.placement = placement;
       const SurfacePolygons polygons = surfacePolygons(frameView(frame), extractor.sensor(), segmentation, options);

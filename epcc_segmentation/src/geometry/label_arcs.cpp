@@ -30,9 +30,15 @@ class ArcFinder {
     const std::size_t corners = static_cast<std::size_t>(arcs_.columns) * static_cast<std::size_t>(height_ + 1);
     passed_.assign(corners, 0);
     place_.assign(corners, -1);
+    // Every walk has a step to the right, below the region, or to the left, above it.
     for (int row = 0; row <= height_; ++row)
-      for (int column = 0; column < arcs_.columns; ++column)
-        for (const int direction : {0, 2}) startAt(row * arcs_.columns + column, direction);
+      for (int column = 0; column < width_; ++column) {
+        const int above = row > 0 ? components_[pixel(row - 1, column)] : -1;
+        const int below = row < height_ ? components_[pixel(row, column)] : -1;
+        if (above == below) continue;
+        if (above >= 0) startAt(row * arcs_.columns + column, 0);
+        if (below >= 0) startAt(row * arcs_.columns + (column + 1) % arcs_.columns, 2);
+      }
     return std::move(arcs_);
   }
 

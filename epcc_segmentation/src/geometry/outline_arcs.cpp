@@ -301,7 +301,8 @@ double OutlineArcs::tolerance(const LabelArc& arc, int corner) const {
   for (const int label : {arc.left, arc.right})
     if (label > 0 && planes_.exists(label)) w = std::max(w, planes_.q(label).dot(ray));
   if (!(w > 0.0)) return options_.tolerance_pixels;
-  const double pixel = std::sqrt(rays_.rayDeterminant(column, row));  // at w = 1
+  const double pixel = std::sqrt(rays_.pixelDeterminant(std::min(arcs_.column(corner), rays_.width() - 1),
+                                                        std::min(arcs_.row(corner), rays_.height() - 1)));  // at w = 1
   const double noise = rays_.sigma(sensor_, ray, w) / (w * pixel);
   return std::min(kMostNoise * options_.tolerance_pixels, options_.tolerance_pixels + options_.tolerance_sigma * noise);
 }

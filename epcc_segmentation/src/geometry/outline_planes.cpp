@@ -59,6 +59,8 @@ OutlinePlanes::OutlinePlanes(const PixelRays& rays, const DepthFrame& frame, con
 void OutlinePlanes::measureRegions() {
   pixel_areas_.assign(q_.size(), 0.0);
   least_w_.assign(q_.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> lengths;  // of q
+  for (const auto& own : q_) lengths.push_back(own ? own->norm() : 0.0);
   for (int row = 0; row < rays_.height(); ++row)
     for (int column = 0; column < rays_.width(); ++column) {
       const std::int32_t label = labels_[rays_.index(row, column)];
@@ -67,7 +69,7 @@ void OutlinePlanes::measureRegions() {
       const auto measured = static_cast<double>(rays_.measured(row, column));
       const double w = q(label).dot(rays_.ray(column, row));
       if (measured > 0.0) least_w_[i] = std::min(least_w_[i], std::max(w, measured));
-      if (w > kTinyWeight) pixel_areas_[i] += rays_.rayDeterminant(column, row) * q(label).norm() / (w * w * w);
+      if (w > kTinyWeight) pixel_areas_[i] += rays_.pixelDeterminant(column, row) * lengths[i] / (w * w * w);
     }
   for (double& w : least_w_) w = std::isfinite(w) ? w / kFarthestCorner : kTinyWeight;
 }

@@ -144,6 +144,15 @@ void PixelRays::readRays() {
   }
   across_ = RayTable(std::move(across));
   along_ = RayTable(std::move(along));
+  for (int column = 0; column < width_; ++column) {
+    const Eigen::Vector3d centre = ray(static_cast<double>(column), 0.0);
+    column_rays_.emplace_back(centre.x(), centre.z());
+    column_steps_.push_back(std::abs(across_.at(column + 0.5) - across_.at(column - 0.5)));
+  }
+  for (int row = 0; row < height_; ++row) {
+    row_rays_.push_back(along_.at(row));
+    row_steps_.push_back(std::abs(along_.at(row + 0.5) - along_.at(row - 0.5)));
+  }
 }
 
 Eigen::Vector3d PixelRays::ray(double column, double row) const {
@@ -161,11 +170,6 @@ Eigen::Vector3d PixelRays::rayByColumn(double column) const {
 
 Eigen::Vector3d PixelRays::rayByRow(double row) const {
   return {0.0, along_.slope(row), 0.0};
-}
-
-// ray . (ray by column x ray by row); both kinds of rays have unit length across the vertical, or 1 forward.
-double PixelRays::rayDeterminant(double column, double row) const {
-  return std::abs(across_.slope(column) * along_.slope(row));
 }
 
 bool PixelRays::inverseDepthPlane(const Plane& plane, Eigen::Vector3d& q) const {

@@ -52,8 +52,15 @@ class PixelRays {
   /// How the ray changes by a column, and by a row.
   Eigen::Vector3d rayByColumn(double column) const;
   Eigen::Vector3d rayByRow(double row) const;
-  /// ray . (ray by column x ray by row), positive: a pixel covers this * |q| / w^3 of the plane q.
-  double rayDeterminant(double column, double row) const;
+  /// The ray of a pixel's centre.
+  Eigen::Vector3d ray(int column, int row) const {
+    const Eigen::Vector2d& across = column_rays_[static_cast<std::size_t>(column)];
+    return {across.x(), row_rays_[static_cast<std::size_t>(row)], across.y()};
+  }
+  /// ray . (ray by column x ray by row) over a pixel, positive: it covers this * |q| / w^3 of the plane q.
+  double pixelDeterminant(int column, int row) const {
+    return column_steps_[static_cast<std::size_t>(column)] * row_steps_[static_cast<std::size_t>(row)];
+  }
 
   /// w of what the pixel measured, 0 if nothing.
   float measured(int row, int column) const { return measured_[index(row, column)]; }
@@ -79,7 +86,10 @@ class PixelRays {
   int width_ = 0, height_ = 0;
   bool is_camera_ = true;
   bool closes_round_ = false;
-  RayTable across_, along_;  // of a scanner azimuth and tan elevation
+  RayTable across_, along_;                   // of a scanner azimuth and tan elevation
+  std::vector<Eigen::Vector2d> column_rays_;  // of pixel centres: across and forward
+  std::vector<double> row_rays_;
+  std::vector<double> column_steps_, row_steps_;  // from edge to edge of a pixel
   std::vector<float> measured_;
 };
 
