@@ -248,6 +248,31 @@ TEST(PlaneEdges, ScanThatClosesRound) {
   }
 }
 
+TEST(PlaneEdges, RingsAsColumnsAndInAnyOrderGiveTheSame) {
+  const test::PosedCloud cloud = test::scannerCloud(720, 40);
+  const auto surfacesOf = [](const test::PosedCloud& own) {
+    const CloudGeometry geometry = findGeometry(own.xyz.data(), 3, own.width, own.height);
+    EXPECT_EQ(geometry.problem, "");
+    const DepthFrame frame = DepthFrame::fromPoints(own.xyz.data(), 3, own.width, own.height, geometry);
+    return surfacePolygons(frame, SensorModel::axial(0.008, 0.0),
+                           withPlanes(frame, own.truth, own.width, own.height, 4));
+  };
+  const SurfacePolygons own = surfacesOf(cloud);
+  const test::PosedCloud turned = test::rowsAndColumnsExchanged(cloud);
+  const test::PosedCloud shuffled = test::reordered(
+      cloud, 720, 40, [](int row, int column) { return static_cast<std::size_t>((row * 7 % 40) * 720 + column); });
+  for (const test::PosedCloud* other : {&turned, &shuffled}) {
+    const SurfacePolygons polygons = surfacesOf(*other);
+    test::expectSoundSurfaces(polygons, surfaceMesh(polygons.surfaces));
+    ASSERT_EQ(polygons.surfaces.size(), own.surfaces.size());
+    EXPECT_EQ(polygons.edges.size(), own.edges.size());
+    for (std::size_t k = 0; k < own.surfaces.size(); ++k) {
+      EXPECT_EQ(polygons.surfaces[k].pieces.size(), 1U);
+      EXPECT_NEAR(polygons.surfaces[k].area, own.surfaces[k].area, 0.01 * own.surfaces[k].area);
+    }
+  }
+}
+
 TEST(PlaneEdges, FloorRoundAScannerIsARing) {
   const int width = 360, height = 30;
   std::vector<float> xyz;
