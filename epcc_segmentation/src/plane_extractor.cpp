@@ -129,7 +129,7 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
 void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result) {
   const bool paper = parameters_.mode == Mode::Paper;
   const int count = paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
-  const FitSamples samples = paper ? FitSamples() : workspace_->inverse_depth.fitSamples();
+  const FitSamples samples = paper ? FitSamples{1, 0, false} : workspace_->inverse_depth.fitSamples();
   StopWatch watch;
   workspace_->fitter.fit(frame, sensor_, count, samples, parameters_.threads, result);
   if (parameters_.line_segments) listSegments(frame, result);
@@ -195,6 +195,8 @@ void PlaneExtractor::adaptSensor(const InverseDepthImage& image, Doubts& doubts)
   if (!measures_sensor_ && !parameters_.inverse_depth.adapt_sensor) return;
   const SensorEstimate measured = workspace_->estimator.update(image);
   sensor_ = measures_sensor_ ? measured.model() : adapted(given_sensor_, measured, image, workspace_->ratios);
+  if (measures_sensor_ && measured.blocks > 0)
+    workspace_->fitter.lendErrorCorrelation({measured.blotch_share, measured.blotch_length});
   const bool may_be_generic = measures_sensor_ && measured.blocks == 0;
   doubts.sensor_is_generic = may_be_generic && workspace_->scattered.validShare() > 0.0;
   doubts.error_share = errorShare(image, measured, workspace_->ratios);

@@ -12,6 +12,7 @@
 #include "parallel_for.h"
 #include "plane_fit_samples.h"
 #include "point_moments.h"
+#include "ray_fit.h"
 #include "thin_out.h"
 
 namespace epcc {
@@ -44,13 +45,13 @@ bool PlaneFitter::readLabels(const std::int32_t* labels, int width, const FitSam
   else
     takeSamples(labels, width, samples, row.data());
   const auto count = static_cast<std::size_t>(samplesAlong(width, samples));
-  if (!only_.empty()) changeLabels(row.data(), count, plane_count_, only_.data());
+  if (takes_only_) changeLabels(row.data(), count, plane_count_, only_.data());
   std::int32_t any = 0;
   for (std::size_t i = 0; i < count; ++i) any |= row[i];
   return any != 0;
 }
 
-void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples,
+void PlaneFitter::sumBand(const DepthFrame& image, Sums sums, const FitSamples& samples,
                           const std::vector<std::int32_t>& labels, int begin, int end, Band& band) const {
   const auto width = static_cast<std::size_t>(image.width());
   const bool is_whole = samples.stride == 1 && samples.offset == 0;
@@ -80,7 +81,7 @@ void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& varianc
   for (int i = begin; i < end; ++i) {
     const int r = samples.offset + i * samples.stride;
     row.labels = labels.data() + image.index(r, 0);
-    if (!is_whole || !only_.empty()) {
+    if (!is_whole || takes_only_) {
       if (!readLabels(row.labels, image.width(), samples, band.labels)) continue;
       row.labels = band.labels.data();
     }
@@ -100,16 +101,19 @@ void PlaneFitter::sumBand(const DepthFrame& image, const SensorVariance& varianc
     } else {
       readPoints(image, {r, 1, samples.offset, static_cast<int>(row.count), samples.stride}, {x, y, z, padded});
     }
-    band.has_strays = addToLabelSums(row, variance, plane_count_, band.sums.data()) || band.has_strays;
+    if (sums == Sums::OfPoints)
+      band.has_strays = addToLabelSums(row, variance_, plane_count_, band.sums.data()) || band.has_strays;
+    else
+      addToResidualSums(row, variance_, plane_count_, ray_planes_.data(), band.residual_sums.data());
   }
 }
 
-void PlaneFitter::sumAll(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples,
-                         int threads, const std::vector<std::int32_t>& labels) {
+void PlaneFitter::sumAll(const DepthFrame& image, Sums sums, const FitSamples& samples, int threads,
+                         const std::vector<std::int32_t>& labels) {
   const int rows = samplesAlong(image.height(), samples);
   sharedFor(kBands, threads, [&](int, int first_band, int end_band) {
     for (int b = first_band; b < end_band; ++b)
-      sumBand(image, variance, samples, labels, rows * b / kBands, rows * (b + 1) / kBands,
+      sumBand(image, sums, samples, labels, rows * b / kBands, rows * (b + 1) / kBands,
               bands_[static_cast<std::size_t>(b)]);
   });
 }
@@ -137,22 +141,67 @@ double PlaneFitter::samplesOf(std::size_t plane) const {
   return n;
 }
 
+bool PlaneFitter::hasSamples(std::size_t plane) const {
+  return std::any_of(bands_.begin(), bands_.end(), [plane](const Band& band) { return band.sums[plane].started; });
+}
+
 // Thin or small planes may have missed the grid.
-void PlaneFitter::fillSparsePlanes(const DepthFrame& image, const SensorVariance& variance, int threads,
-                                   const std::vector<std::int32_t>& labels) {
-  bool any = false;
+void PlaneFitter::findSparsePlanes() {
+  only_.assign(is_sparse_.size() + 1, 0);
+  has_sparse_ = false;
   for (std::size_t i = 0; i < is_sparse_.size(); ++i) {
     is_sparse_[i] = pixels_[i] > 0 && samplesOf(i) < kFewestSamples ? 1 : 0;
     if (is_sparse_[i] == 0) continue;
-    any = true;
-    for (Band& band : bands_) band.sums[i].started = false;
+    only_[i + 1] = static_cast<std::int32_t>(i + 1);
+    has_sparse_ = true;
   }
-  if (!any) return;
-  only_.assign(is_sparse_.size() + 1, 0);
-  for (std::size_t i = 0; i < is_sparse_.size(); ++i)
-    if (is_sparse_[i] != 0) only_[i + 1] = static_cast<std::int32_t>(i + 1);
-  sumAll(image, variance, FitSamples(), threads, labels);
-  only_.clear();
+}
+
+/// Of all of a sparse plane's pixels instead of its samples.
+void PlaneFitter::sumSparsePlanes(const DepthFrame& image, Sums sums, int threads,
+                                  const std::vector<std::int32_t>& labels) {
+  if (!has_sparse_) return;
+  for (Band& band : bands_)
+    for (std::size_t i = 0; i < is_sparse_.size(); ++i) {
+      if (is_sparse_[i] == 0) continue;
+      if (sums == Sums::OfPoints) band.sums[i].started = false;
+      if (sums == Sums::OfRays) band.residual_sums[i] = ResidualSums();
+    }
+  takes_only_ = true;
+  sumAll(image, sums, FitSamples(), threads, labels);
+  takes_only_ = false;
+}
+
+/// The orthogonal fits, which the sums of what the samples are off along their rays need.
+void PlaneFitter::fitPoints(const SensorModel& sensor, const FitSamples& samples) {
+  const auto count = static_cast<std::size_t>(plane_count_);
+  const double area = static_cast<double>(samples.stride) * static_cast<double>(samples.stride);
+  fits_.assign(count, Plane());
+  ray_planes_.assign(count, RayPlane());
+  for (std::size_t i = 0; i < count; ++i) {
+    PointMoments moments;
+    for (const Band& band : bands_) moments.add(band.sums[i]);
+    if (moments.plain.one == 0.0) continue;
+    const double per_independent = sensor.pixelsPerSample() / (is_sparse_[i] != 0 ? 1.0 : area);
+    fits_[i] = planeOf(moments, static_cast<std::size_t>(pixels_[i]), std::max(1.0, per_independent));
+    ray_planes_[i] = rayPlaneOf(fits_[i]);
+  }
+}
+
+void PlaneFitter::fitRays(const DepthFrame& image, const FitSamples& samples) {
+  RayKind rays;
+  rays.is_range = !isPerspective(image.projection());
+  if (image.isPinhole()) {
+    rays.pixels_u = 1.0 / (image.pinholeAcross(1) - image.pinholeAcross(0));
+    rays.pixels_v = 1.0 / (image.pinholeAlong(1) - image.pinholeAlong(0));
+  }
+  for (std::size_t i = 0; i < fits_.size(); ++i) {
+    if (!hasSamples(i)) continue;
+    ResidualSums sums = {};
+    for (const Band& band : bands_) addResidualSums(band.residual_sums[i], sums);
+    rays.stride = is_sparse_[i] != 0 ? 1 : samples.stride;
+    fitAlongRays(sums, rays, error_, fits_[i]);
+  }
 }
 
 bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int plane_count, const FitSamples& samples,
@@ -162,10 +211,12 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
   const float* const lent_depth = std::exchange(depth_, nullptr);
   const float* const lent_samples = std::exchange(sample_depth_, nullptr);
   const long* const counts = std::exchange(counts_, nullptr);
+  const std::optional<ErrorCorrelation> lent_error = std::exchange(lent_error_, std::nullopt);
   const auto size = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
   if (plane_count < 0 || segmentation.labels.size() != size) return false;
   const DepthFrame image = frame.isTransposed() ? frame.transposed() : frame;
-  const SensorVariance variance(sensor);
+  variance_ = SensorVariance(sensor);
+  error_ = lent_error.value_or(ErrorCorrelation::of(sensor));
   depth_ = lent_depth;
   sample_depth_ = lent_samples;
   confidence_ = confidence;
@@ -177,23 +228,32 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
   for (Band& band : bands_) {
     band.sums.resize(std::max(count, band.sums.size()));
     for (std::size_t i = 0; i < count; ++i) band.sums[i].started = false;
+    if (samples.along_rays) band.residual_sums.assign(count, ResidualSums());
     band.has_strays = false;
   }
   if (image.isPinhole()) {
     across_.resize(static_cast<std::size_t>(image.width() + kRunLanes));
     for (int c = 0; c < image.width(); ++c) across_[static_cast<std::size_t>(c)] = image.pinholeAcross(c);
   }
-  sumAll(image, variance, samples, threads, segmentation.labels);
+  sumAll(image, Sums::OfPoints, samples, threads, segmentation.labels);
+  has_sparse_ = false;
   if (samples.stride > 1) {
     if (counts != nullptr)
       std::copy(counts, counts + count, pixels_.begin());
     else
       countPixels(image, threads, segmentation.labels);
-    fillSparsePlanes(image, variance, threads, segmentation.labels);
+    findSparsePlanes();
+    sumSparsePlanes(image, Sums::OfPoints, threads, segmentation.labels);
   } else {
     for (std::size_t i = 0; i < count; ++i) pixels_[i] = static_cast<long>(samplesOf(i));
   }
-  listPlanes(sensor, samples, segmentation.planes);
+  fitPoints(sensor, samples);
+  if (samples.along_rays) {
+    sumAll(image, Sums::OfRays, samples, threads, segmentation.labels);
+    sumSparsePlanes(image, Sums::OfRays, threads, segmentation.labels);
+    fitRays(image, samples);
+  }
+  listPlanes(segmentation.planes);
   renumber(threads, segmentation.labels);
   depth_ = nullptr;
   sample_depth_ = nullptr;
@@ -201,20 +261,16 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
   return true;
 }
 
-void PlaneFitter::listPlanes(const SensorModel& sensor, const FitSamples& samples, std::vector<Plane>& planes) {
+void PlaneFitter::listPlanes(std::vector<Plane>& planes) {
   order_.resize(pixels_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::sort(order_.begin(), order_.end(), [this](std::size_t i, std::size_t j) {
     return pixels_[i] != pixels_[j] ? pixels_[i] > pixels_[j] : i < j;
   });
   new_label_.assign(pixels_.size() + 1, 0);
-  const double area = static_cast<double>(samples.stride) * static_cast<double>(samples.stride);
   for (const std::size_t i : order_) {
-    PointMoments moments;
-    for (const Band& band : bands_) moments.add(band.sums[i]);
-    if (moments.plain.one == 0.0) continue;
-    const double per_independent = sensor.pixelsPerSample() / (is_sparse_[i] != 0 ? 1.0 : area);
-    planes.push_back(planeOf(moments, static_cast<std::size_t>(pixels_[i]), std::max(1.0, per_independent)));
+    if (!hasSamples(i)) continue;
+    planes.push_back(fits_[i]);
     if (confidence_ != nullptr) planes.back().confidence = confidence_[i];
     new_label_[i + 1] = static_cast<std::int32_t>(planes.size());
   }

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "correlated_error.h"
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/plane_segmentation.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "label_sums.h"
+#include "ray_residuals.h"
 
 namespace epcc {
 
@@ -16,6 +19,9 @@ namespace epcc {
 struct FitSamples {
   int stride = 1;
   int offset = 0;
+  /// After the orthogonal fit the step of fitAlongRays(), which errors of the depths do not bias; else, the paper's way,
+  /// the orthogonal fit alone, which a stream can keep.
+  bool along_rays = true;
 };
 
 /// fitPlanes() for a stream of frames. The result does not depend on the number of threads.
@@ -38,11 +44,15 @@ class PlaneFitter {
   void lendCounts(const long* pixels) { counts_ = pixels; }
   /// For the next fit: Plane::confidence of the labels 1 .. plane_count.
   void lendConfidence(const double* confidence) { confidence_ = confidence; }
+  /// For the next fit: how the error is correlated, where that is known better than by the sensor model.
+  void lendErrorCorrelation(const ErrorCorrelation& error) { lent_error_ = error; }
 
  private:
+  enum class Sums { OfPoints, OfRays };
   /// Memory of one of the bands of rows that are summed on their own, then joined in order.
   struct Band {
     std::vector<LabelSums> sums;
+    std::vector<ResidualSums> residual_sums;
     std::vector<long> pixels;
     bool has_strays = false;
     std::vector<float> points;  // of a row: x, y, z
@@ -51,18 +61,24 @@ class PlaneFitter {
   };
   bool readLabels(const std::int32_t* labels, int width, const FitSamples& samples,
                   std::vector<std::int32_t>& row) const;
-  /// Adds the samples of the rows offset + stride * [begin, end), of the labels that only_ keeps if it is not empty.
-  void sumBand(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples,
-               const std::vector<std::int32_t>& labels, int begin, int end, Band& band) const;
-  void sumAll(const DepthFrame& image, const SensorVariance& variance, const FitSamples& samples, int threads,
+  /// Adds the samples of the rows offset + stride * [begin, end), of the labels that only_ keeps if takes_only_.
+  void sumBand(const DepthFrame& image, Sums sums, const FitSamples& samples, const std::vector<std::int32_t>& labels,
+               int begin, int end, Band& band) const;
+  void sumAll(const DepthFrame& image, Sums sums, const FitSamples& samples, int threads,
               const std::vector<std::int32_t>& labels);
   void countPixels(const DepthFrame& image, int threads, const std::vector<std::int32_t>& labels);
-  void fillSparsePlanes(const DepthFrame& image, const SensorVariance& variance, int threads,
-                        const std::vector<std::int32_t>& labels);
   double samplesOf(std::size_t plane) const;
-  void listPlanes(const SensorModel& sensor, const FitSamples& samples, std::vector<Plane>& planes);
+  bool hasSamples(std::size_t plane) const;
+  void findSparsePlanes();
+  void sumSparsePlanes(const DepthFrame& image, Sums sums, int threads, const std::vector<std::int32_t>& labels);
+  void fitPoints(const SensorModel& sensor, const FitSamples& samples);
+  void fitRays(const DepthFrame& image, const FitSamples& samples);
+  void listPlanes(std::vector<Plane>& planes);
   void renumber(int threads, std::vector<std::int32_t>& labels) const;
 
+  SensorVariance variance_;
+  ErrorCorrelation error_;
+  std::optional<ErrorCorrelation> lent_error_;
   std::int32_t plane_count_ = 0;
   const float* depth_ = nullptr;
   const float* sample_depth_ = nullptr;
@@ -71,8 +87,12 @@ class PlaneFitter {
   const double* confidence_ = nullptr;
   std::vector<double> across_;  // u of the image's columns
   std::vector<Band> bands_;
-  std::vector<std::int32_t> only_;  // by label: itself or 0
-  std::vector<char> is_sparse_;     // by plane: fitted to all of its pixels
+  std::vector<std::int32_t> only_;  // by label: itself if it is sparse, or 0
+  bool takes_only_ = false;
+  std::vector<char> is_sparse_;  // by plane: fitted to all of its pixels
+  bool has_sparse_ = false;
+  std::vector<Plane> fits_;  // by label
+  std::vector<RayPlane> ray_planes_;
   std::vector<long> pixels_;
   std::vector<std::size_t> order_;
   std::vector<std::int32_t> new_label_;

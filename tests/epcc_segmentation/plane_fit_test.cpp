@@ -223,6 +223,44 @@ epcc::Plane plainFit(const DepthFrame& frame, const SensorModel& sensor, const s
   return plane;
 }
 
+/// The step along the rays as its definition says, from every pixel of the grid: normal equations of theta = -normal /
+/// d.
+epcc::Plane plainStep(const DepthFrame& frame, const SensorModel& sensor, const std::vector<std::int32_t>& labels,
+                      std::int32_t label, int stride, int offset, epcc::Plane plane) {
+  const bool is_range = !isPerspective(frame.projection());
+  Eigen::Vector3d theta = -Eigen::Vector3d(plane.coefficients.head<3>()) / plane.coefficients(3);
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero(), p;
+  for (int row = offset; row < frame.height(); row += stride)
+    for (int column = offset; column < frame.width(); column += stride) {
+      if (labels[frame.index(row, column)] != label || !frame.point(row, column, p)) continue;
+      const double depth = is_range ? p.norm() : std::abs(p.z());
+      const Eigen::Vector3d ray = p / depth;
+      const double w = theta.dot(ray);
+      if (w * depth <= 0.5 || w * depth >= 2.0) continue;
+      const double weight = 1.0 / (sensor.varianceZ(1.0 / w) * std::pow(w, 4));
+      information += weight * ray * ray.transpose();
+      gradient += weight * w * (1.0 - w * depth) * ray;
+    }
+  theta += information.fullPivLu().solve(gradient);
+  plane.coefficients << -theta / theta.norm(), 1.0 / theta.norm();
+  plane.rms = std::sqrt(plane.coefficients.head<3>().dot(plane.points_covariance * plane.coefficients.head<3>()) +
+                        std::pow(plane.signedDistance(plane.centroid), 2));
+  return plane;
+}
+
+/// Both steps; the covariance is checked on its own, by what it is to predict.
+void expectFitted(const epcc::Plane& plane, const DepthFrame& frame, const SensorModel& sensor,
+                  const std::vector<std::int32_t>& labels, std::int32_t label, int stride, int offset) {
+  const auto expected = plainStep(frame, sensor, labels, label, stride, offset,
+                                  plainFit(frame, sensor, labels, label, stride, offset, 1.0));
+  EXPECT_EQ(plane.pixel_count, expected.pixel_count);
+  EXPECT_LT((plane.coefficients - expected.coefficients).norm(), 1e-6 * expected.coefficients.norm());
+  EXPECT_LT((plane.centroid - expected.centroid).norm(), 1e-6 * expected.centroid.norm());
+  EXPECT_LT((plane.points_covariance - expected.points_covariance).norm(), 1e-6 * expected.points_covariance.norm());
+  EXPECT_NEAR(plane.rms, expected.rms, 1e-6 * expected.rms);
+}
+
 void expectNear(const epcc::Plane& a, const epcc::Plane& b) {
   EXPECT_EQ(a.pixel_count, b.pixel_count);
   EXPECT_LT((a.coefficients - b.coefficients).norm(), 1e-6 * b.coefficients.norm());
@@ -232,14 +270,15 @@ void expectNear(const epcc::Plane& a, const epcc::Plane& b) {
   EXPECT_LT((a.coefficients_covariance - b.coefficients_covariance).norm(), 1e-6 * b.coefficients_covariance.norm());
 }
 
-/// A noisy corner of a room with holes, and labels in short and long runs, some of them strangers.
-epcc::test::RenderedRoom labelledRoom(int width, int height) {
+/// A noisy corner of a room with holes, and labels in short and long runs, some of them strangers; `mixed` ones are on
+/// points of other planes too.
+epcc::test::RenderedRoom labelledRoom(int width, int height, bool mixed = true) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
   epcc::test::addNoise(room, SensorModel::axial(0.002, 0.003), 3);
   for (std::size_t i = 0; i < room.depth.size(); ++i) {
     if (i % 11 == 0) room.depth[i] = 0.0f;
     if (i % 13 == 5) room.labels[i] = 0;
-    if (i % 50 < 9) room.labels[i] = static_cast<std::int32_t>(1 + i % 3);
+    if (mixed && i % 50 < 9) room.labels[i] = static_cast<std::int32_t>(1 + i % 3);
     if (i % 97 == 0) room.labels[i] = 77;
   }
   return room;
@@ -248,9 +287,10 @@ epcc::test::RenderedRoom labelledRoom(int width, int height) {
 TEST(PlaneFit, IsThatOfPlainSumsInDoublePrecision) {
   const SensorModel sensors[] = {SensorModel::axial(0.002, 0.003, 2.0),
                                  SensorModel::polynomial(0.006954, -0.003713, 0.001153, 0.1)};
-  for (const auto& [width, height] : {std::pair<int, int>{160, 120}, {61, 40}, {7, 200}})
+  for (const auto& [width, height, mixed] :
+       {std::tuple<int, int, bool>{160, 120, false}, {61, 40, false}, {160, 120, true}, {61, 40, true}, {7, 200, true}})
     for (const SensorModel& sensor : sensors) {
-      const auto room = labelledRoom(width, height);
+      const auto room = labelledRoom(width, height, mixed);
       std::vector<float> cloud, scan;
       Eigen::Vector3d p;
       for (int row = 0; row < height; ++row)
@@ -263,19 +303,24 @@ TEST(PlaneFit, IsThatOfPlainSumsInDoublePrecision) {
       for (const DepthFrame& frame :
            {room.frame(), room.frame().transposed(), DepthFrame::fromPoints(cloud.data(), 4, width, height, backward),
             DepthFrame::fromPoints(scan.data(), 3, width, height, epcc::Projection::Spherical)}) {
-        PlaneSegmentation segmentation;
-        segmentation.labels = room.labels;
+        PlaneSegmentation segmentation, orthogonal;
+        segmentation.labels = orthogonal.labels = room.labels;
         ASSERT_TRUE(epcc::fitPlanes(frame, sensor, 3, segmentation));
         ASSERT_EQ(segmentation.planes.size(), 3u);
-        for (std::int32_t k = 1; k <= 3; ++k)
-          expectNear(segmentation.planes[static_cast<std::size_t>(k - 1)],
+        ASSERT_TRUE(epcc::PlaneFitter().fit(frame, sensor, 3, {1, 0, false}, 1, orthogonal));
+        ASSERT_EQ(orthogonal.labels, segmentation.labels);
+        for (std::int32_t k = 1; k <= 3; ++k) {
+          const auto i = static_cast<std::size_t>(k - 1);
+          if (!mixed) expectFitted(segmentation.planes[i], frame, sensor, segmentation.labels, k, 1, 0);
+          expectNear(orthogonal.planes[i],
                      plainFit(frame, sensor, segmentation.labels, k, 1, 0, sensor.pixelsPerSample()));
+        }
       }
     }
 }
 
 TEST(PlaneFit, ASampleGridGivesTheSumsAndEveryPixelTheCount) {
-  auto room = labelledRoom(160, 120);
+  auto room = labelledRoom(320, 240, false);
   for (std::size_t i = 0; i < room.labels.size(); ++i)
     if (room.depth[i] == 0.0f) room.labels[i] = 0;
   const SensorModel sensor = SensorModel::axial(0.002, 0.003, 2.0);  // 25 pixels a sample
@@ -286,10 +331,21 @@ TEST(PlaneFit, ASampleGridGivesTheSumsAndEveryPixelTheCount) {
     ASSERT_TRUE(fitter.fit(room.frame(), sensor, 3, {stride, offset}, 1, segmentation));
     ASSERT_EQ(segmentation.planes.size(), 3u);
     for (std::int32_t k = 1; k <= 3; ++k)
-      expectNear(segmentation.planes[static_cast<std::size_t>(k - 1)],
-                 plainFit(room.frame(), sensor, segmentation.labels, k, stride, offset,
-                          std::max(1.0, sensor.pixelsPerSample() / (stride * stride))));
+      expectFitted(segmentation.planes[static_cast<std::size_t>(k - 1)], room.frame(), sensor, segmentation.labels, k,
+                   stride, offset);
   }
+}
+
+// Two walls, one twice as far as the other, under one label: a step from the plane between them would go anywhere.
+TEST(PlaneFit, PointsOfNoPlaneKeepTheOrthogonalFit) {
+  auto room = epcc::test::renderRoom({epcc::test::cornerPlanes()[1]}, epcc::test::testCamera());
+  for (std::size_t i = 0; i < room.depth.size(); ++i) room.depth[i] = i % 160 < 80 ? 1.0f : 2.5f;
+  const SensorModel sensor = SensorModel::axial(0.002, 0.003);
+  PlaneSegmentation along_rays, orthogonal;
+  along_rays.labels = orthogonal.labels = std::vector<std::int32_t>(room.labels.size(), 1);
+  ASSERT_TRUE(epcc::fitPlanes(room.frame(), sensor, 1, along_rays));
+  ASSERT_TRUE(epcc::PlaneFitter().fit(room.frame(), sensor, 1, {1, 0, false}, 1, orthogonal));
+  EXPECT_EQ(along_rays.planes.at(0).coefficients, orthogonal.planes.at(0).coefficients);
 }
 
 // Planes that the grid misses are fitted all the same.
@@ -306,8 +362,7 @@ TEST(PlaneFit, APlaneBetweenTheSamplesIsFittedToAllOfItsPixels) {
   epcc::PlaneFitter fitter;
   ASSERT_TRUE(fitter.fit(room.frame(), sensor, 2, {4, 2}, 1, segmentation));
   ASSERT_EQ(segmentation.planes.size(), 2u);
-  expectNear(segmentation.planes[1],
-             plainFit(room.frame(), sensor, segmentation.labels, 2, 1, 0, sensor.pixelsPerSample()));
+  expectFitted(segmentation.planes[1], room.frame(), sensor, segmentation.labels, 2, 1, 0);
 }
 
 TEST(PlaneFit, HasTheSameBitsOnEveryUnitAndWithAnyNumberOfThreads) {

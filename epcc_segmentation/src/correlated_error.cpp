@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The integrals of a Gaussian autocorrelation over pairs of places on a side, closed.
+#include "correlated_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epcc {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Shares of sqrt(2 pi) l that remain of the integral of R over a side, x = side / l:
+/// with weight 1 - t/x of pairs t apart for an offset, 1 - 3 t/x + 2 (t/x)^3 for a slope.
+struct KeptShares {
+  double offset, slope;
+};
+
+KeptShares keptShares(double x) {
+  const double norm = std::sqrt(2.0 / kPi);
+  if (x < 0.05) return {norm * x / 2.0, norm * x * x * x / 24.0};  // else the difference of nearly equal numbers
+  const double gauss = std::exp(-0.5 * x * x);
+  const double moment0 = std::erf(x / std::sqrt(2.0)) / norm;
+  const double moment1 = 1.0 - gauss;
+  const double moment3 = 2.0 - (x * x + 2.0) * gauss;
+  return {norm * (moment0 - moment1 / x), norm * (moment0 - 3.0 * moment1 / x + 2.0 * moment3 / (x * x * x))};
+}
+
+}  // namespace
+
+SamplesPerIndependent samplesPerIndependent(const ErrorCorrelation& error, double long_side, double short_side,
+                                            int stride) {
+  if (!(error.share > 0.0) || !(error.length > 0.0)) return {1.0, 1.0, 1.0};
+  const KeptShares across_long = keptShares(long_side / error.length);
+  const KeptShares across_short = keptShares(short_side / error.length);
+  const double all = 2.0 * kPi * error.length * error.length / (static_cast<double>(stride) * stride);
+  const auto samples = [&](double kept) { return (1.0 - error.share) + error.share * std::max(1.0, all * kept); };
+  return {samples(across_long.offset * across_short.offset), samples(across_long.slope * across_short.offset),
+          samples(across_long.offset * across_short.slope)};
+}
+
+}  // namespace epcc

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plane that is likeliest to have given the depths along their rays, and the covariance of its coefficients.
+#pragma once
+
+#include "correlated_error.h"
+#include "epcc_segmentation/plane_segmentation.h"
+#include "ray_residuals.h"
+
+namespace epcc {
+
+/// What the rays of a plane's samples are.
+struct RayKind {
+  bool is_range = false;               ///< of unit length, the depth is a range; else (u, v, 1)
+  double pixels_u = 0.0, pixels_v = 0.0;  ///< pixels per unit of u and v; 0: not known, the samples fill their area
+  int stride = 1;                      ///< a sample at every stride-th row and column
+};
+
+/// Sums of the bands in order.
+void addResidualSums(const ResidualSums& band, ResidualSums& sum);
+
+/// theta of a plane's coefficients; nothing counts (all 0) if it passes through the sensor.
+RayPlane rayPlaneOf(const Plane& plane);
+
+/// Moves `plane` (coefficients given, as the sums were made with) to the least squares of what the samples are off
+/// along their rays, each weighted by 1 / sigma_z^2 at the plane's own depth, and sets coefficients, their covariance
+/// and the rms. One step from the orthogonal fit: rays do not err, so that, unlike in orthogonal least squares and with
+/// weights from measured depths, errors do not bias the plane; what is left is of second order in sigma_z / z.
+///
+/// The covariance is that of the residuals' own size, whatever the sensor model's, and of its correlation.
+/// Without three samples that count, for a plane through the sensor, and where the step is a large one because the
+/// points are of no plane, all stays as the orthogonal fit has it.
+void fitAlongRays(const ResidualSums& sums, const RayKind& rays, const ErrorCorrelation& error, Plane& plane);
+
+}  // namespace epcc
