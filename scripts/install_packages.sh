@@ -11,6 +11,7 @@ packages=(
   python3-h5py python3-png # scripts/convert_nyu.py, with its test
   pybind11-dev python3-dev python3-numpy # the Python module
   python3-pytest python3-pip python3-setuptools python3-wheel # its tests, and the wheel
+  libx11-dev xvfb # epcc_view, with its test
   "$@"
 )
 

@@ -55,15 +55,6 @@ std::vector<float> pointsOf(const LabelledFrame& input) {
   return xyz;
 }
 
-// A finished file takes its name by renaming, which would replace a device such as /dev/null by a file.
-void refuseSpecialFiles(const OutputPaths& paths) {
-  for (const std::string& path : paths.all()) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    if (fs::exists(status) && !fs::is_regular_file(status)) throw OutputError(path, "file", "is not a regular file");
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> OutputPaths::all() const {
@@ -111,6 +102,14 @@ std::string checkOutputs(const SegmentOptions& options, const std::vector<Segmen
     }
   }
   return std::string();
+}
+
+void refuseSpecialFiles(const OutputPaths& paths) {
+  for (const std::string& path : paths.all()) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) throw OutputError(path, "file", "is not a regular file");
+  }
 }
 
 void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result,
