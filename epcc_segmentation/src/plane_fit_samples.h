@@ -19,8 +19,8 @@ namespace epcc {
 struct FitSamples {
   int stride = 1;
   int offset = 0;
-  /// After the orthogonal fit the step of fitAlongRays(), which errors of the depths do not bias; else, the paper's way,
-  /// the orthogonal fit alone, which a stream can keep.
+  /// After the orthogonal fit the step of fitAlongRays(), which errors of the depths do not bias; else, the paper's
+  /// way, the orthogonal fit alone, which a stream can keep.
   bool along_rays = true;
 };
 

@@ -143,11 +143,10 @@ void fitAlongRays(const ResidualSums& sums, const RayKind& rays, const ErrorCorr
   theta += pixels.asDiagonal() * (theta_of * step);
   plane.coefficients << -theta / theta.norm(), 1.0 / theta.norm();
   const double mean_distance = plane.signedDistance(plane.centroid);
-  plane.rms = std::sqrt(varianceAlong(plane.points_covariance, plane.coefficients.head<3>()) +
-                        mean_distance * mean_distance);
+  plane.rms =
+      std::sqrt(varianceAlong(plane.points_covariance, plane.coefficients.head<3>()) + mean_distance * mean_distance);
 
-  const SamplesPerIndependent worth =
-      samplesPerIndependent(error, patch.long_side, patch.short_side, rays.stride);
+  const SamplesPerIndependent worth = samplesPerIndependent(error, patch.long_side, patch.short_side, rays.stride);
   const double fitted = worth.offset + worth.long_slope + worth.short_slope;
   const double squares = std::max(0.0, normal.squares - step.dot(gradient));
   const double unit = squares / std::max(normal.count - fitted, 0.1 * normal.count);

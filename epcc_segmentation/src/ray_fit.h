@@ -10,9 +10,9 @@ namespace epcc {
 
 /// What the rays of a plane's samples are.
 struct RayKind {
-  bool is_range = false;               ///< of unit length, the depth is a range; else (u, v, 1)
+  bool is_range = false;                  ///< of unit length, the depth is a range; else (u, v, 1)
   double pixels_u = 0.0, pixels_v = 0.0;  ///< pixels per unit of u and v; 0: not known, the samples fill their area
-  int stride = 1;                      ///< a sample at every stride-th row and column
+  int stride = 1;                         ///< a sample at every stride-th row and column
 };
 
 /// Sums of the bands in order.

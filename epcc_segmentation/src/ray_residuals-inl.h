@@ -97,8 +97,7 @@ HWY_INLINE void sumRowResiduals(const Run& run, const SensorVariance& variance, 
   for (int i = 0; i < kRowResidualSums; ++i)
     for (int k = 0; k < kRunLanes; ++k) sums[i][k] = 0.0;
   std::size_t i = 0;
-  for (; i + kRunLanes <= run.count; i += kRunLanes)
-    addRowResiduals(run, variance, slope, along, i, kRunLanes, sums);
+  for (; i + kRunLanes <= run.count; i += kRunLanes) addRowResiduals(run, variance, slope, along, i, kRunLanes, sums);
   addRowResiduals(run, variance, slope, along, i, static_cast<int>(run.count - i), sums);
 }
 
@@ -196,9 +195,9 @@ HWY_INLINE void sumPointResiduals(const Run& run, const SensorVariance& variance
       const DoubleVector depth = hn::IfThenElse(hn::Gt(measured, hn::Zero(d)), measured, one);
       const DoubleVector inverse = hn::Div(one, depth);
       const DoubleVector x = hn::Mul(px, inverse), y = hn::Mul(py, inverse), z = hn::Mul(pz, inverse);
-      const DoubleVector w = hn::Add(hn::Add(hn::Mul(hn::Set(d, plane.theta[0]), x),
-                                             hn::Mul(hn::Set(d, plane.theta[1]), y)),
-                                     hn::Mul(hn::Set(d, plane.theta[2]), z));
+      const DoubleVector w =
+          hn::Add(hn::Add(hn::Mul(hn::Set(d, plane.theta[0]), x), hn::Mul(hn::Set(d, plane.theta[1]), y)),
+                  hn::Mul(hn::Set(d, plane.theta[2]), z));
       const DoubleVector ratio = hn::Mul(w, depth);
       const auto does_count = counts(ratio);
       const DoubleVector weight = hn::IfThenElseZero(does_count, weightOf(variance, w));

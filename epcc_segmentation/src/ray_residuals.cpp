@@ -41,8 +41,8 @@ HWY_INLINE void addRun(const SampleRow& row, const SensorVariance& variance, con
   double own[kResidualSums][kRunLanes];
   if (row.x == nullptr) {
     const double along = plane.theta[1] * row.along + plane.theta[2];
-    sumRowResiduals({end - begin, nullptr, nullptr, nullptr, row.z + begin, row.across + begin}, variance, plane.theta[0], along,
-                    own);
+    sumRowResiduals({end - begin, nullptr, nullptr, nullptr, row.z + begin, row.across + begin}, variance,
+                    plane.theta[0], along, own);
     addRowSums(own, row.along, sums);
   } else {
     sumPointResiduals({end - begin, nullptr, row.x + begin, row.y + begin, row.z + begin, nullptr}, variance, plane,
@@ -72,7 +72,7 @@ HWY_EXPORT(sumRow);
 }
 
 void addToResidualSums(const SampleRow& row, const SensorVariance& variance, std::int32_t label_count,
-                  const RayPlane* planes, ResidualSums* sums) {
+                       const RayPlane* planes, ResidualSums* sums) {
   EPCC_KERNEL(sumRow)(row, variance, label_count, planes, sums);
 }
 

@@ -16,8 +16,8 @@ struct RayPlane {
 };
 
 /// With the weight W = 1 / sigma_w^2 at the plane's own inverse depth w, and rho = w (1 - w z), the inverse depth by
-/// which a sample z lies in front: W xx, W xy, W xz, W yy, W yz, W zz of the rays, W x rho, W y rho, W z rho, W rho rho,
-/// and the number of samples that count.
+/// which a sample z lies in front: W xx, W xy, W xz, W yy, W yz, W zz of the rays, W x rho, W y rho, W z rho, W rho
+/// rho, and the number of samples that count.
 constexpr int kResidualSums = 11;
 
 /// Sums of a label; all 0 before the first row.
@@ -29,6 +29,6 @@ struct ResidualSums {
 /// the plane's distance does not count, nor does one whose ray does not meet the plane.
 /// row.weight and row.measured are not asked for.
 void addToResidualSums(const SampleRow& row, const SensorVariance& variance, std::int32_t label_count,
-                  const RayPlane* planes, ResidualSums* sums);
+                       const RayPlane* planes, ResidualSums* sums);
 
 }  // namespace epcc

@@ -16,8 +16,8 @@ struct Plane {
   /// (a, b, c, d): a x + b y + c z + d = 0, unit normal towards the sensor (d >= 0 if that is at the origin).
   Vector4 coefficients = Vector4::Zero();
   /// Covariance of (a, b, c, d), of rank 3, from the size of the fit's residuals, and from how far the error is
-  /// correlated: by the sensor model's length, or as it was measured where the sensor is (docs/research/uncertainty.md).
-  /// Bending of the sensor that is slower than that length is not in it.
+  /// correlated: by the sensor model's length, or as it was measured where the sensor is
+  /// (docs/research/uncertainty.md). Bending of the sensor that is slower than that length is not in it.
   Matrix4 coefficients_covariance = Matrix4::Zero();
   /// Mean of the plane's points.
   Vector3 centroid = Vector3::Zero();
