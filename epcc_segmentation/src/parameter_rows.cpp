@@ -44,7 +44,9 @@ std::vector<ParameterField> generalFields() {
 
 std::vector<ParameterField> inverseDepthFields() {
   return {
-      number(EPCC_FIELD(inverse_depth.min_points), 1, 1e9, "pixels", "Planes with fewer pixels are rejected (S7)",
+      number(EPCC_FIELD(inverse_depth.min_points), 1, 1e9, "pixels",
+             "Planes with fewer pixels are rejected (S7); of a frame whose pixels are scattered their area counts, "
+             "holes included",
              "small pieces of clutter are reported",
              "small faces are missing and the sensor is good enough to see them"),
       number(EPCC_FIELD(inverse_depth.min_confidence), 0, 1, "",

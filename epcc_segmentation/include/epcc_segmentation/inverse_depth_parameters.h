@@ -7,8 +7,9 @@ namespace epcc {
 /// Mode::InverseDepth. Lengths in sigma are in standard deviations of the sensor model; "independent samples" are
 /// pixels divided by those that the sensor's correlated error covers (SensorModel::pixelsPerSample()).
 struct InverseDepthParameters {
-  /// Planes with fewer pixels are rejected (S7). [1, 1e9] pixels, default 60. Raise it if small pieces of clutter are
-  /// reported; lower it if small faces are missing and the sensor is good enough to see them.
+  /// Planes with fewer pixels are rejected (S7); of a frame whose pixels are scattered their area counts, holes
+  /// included. [1, 1e9] pixels, default 60. Raise it if small pieces of clutter are reported; lower it if small faces
+  /// are missing and the sensor is good enough to see them.
   int min_points = 60;
 
   /// Planes that are less likely surfaces than this are rejected (S9), see Plane::confidence. [0, 1], default 0.3.

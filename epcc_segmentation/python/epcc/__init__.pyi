@@ -391,8 +391,9 @@ class Parameters:
 
 class InverseDepthParameters:
     min_points: int
-    """Planes with fewer pixels are rejected (S7). [1, 1e9] pixels, default 60. Raise it if small pieces of clutter are
-    reported; lower it if small faces are missing and the sensor is good enough to see them."""
+    """Planes with fewer pixels are rejected (S7); of a frame whose pixels are scattered their area counts, holes
+    included. [1, 1e9] pixels, default 60. Raise it if small pieces of clutter are reported; lower it if small faces are
+    missing and the sensor is good enough to see them."""
     min_confidence: float
     """Planes that are less likely surfaces than this are rejected (S9), see Plane::confidence. [0, 1], default 0.3.
     Raise it if ragged pieces of clutter are reported; lower it if frames, rails and other narrow planes are missing."""
