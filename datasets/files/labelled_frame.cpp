@@ -11,6 +11,7 @@
 #include "datasets/files/png_io.h"
 #include "datasets/support/folder_listing.h"
 #include "datasets/support/input_error.h"
+#include "epcc_segmentation/doubts.h"
 
 namespace epcc {
 
@@ -63,7 +64,7 @@ LabelledFrame readDepthImage(const std::string& depth_path, const std::string& j
   frame.camera = readCameraJson(json_path);
   const auto raw = readGray16(depth_path);
   checkSize(depth_path, raw, frame.camera.camera.width, frame.camera.camera.height, "the camera file says");
-  frame.depth = depthFromPng(raw, frame.camera.depth_scale);
+  takeDepth(raw, frame);
   return frame;
 }
 
@@ -123,11 +124,11 @@ void writeLabelledFrame(const std::string& folder, const LabelledFrame& frame) {
   writeCameraJson(pathOf(folder, frame.name, kCameraEnding), frame.camera);
 }
 
-DepthImage depthFromPng(const Image<std::uint16_t>& raw, double depth_scale) {
-  DepthImage depth(raw.width, raw.height);
+void takeDepth(const Image<std::uint16_t>& raw, LabelledFrame& frame) {
+  frame.depth = DepthImage(raw.width, raw.height);
   for (std::size_t i = 0; i < raw.data.size(); ++i)
-    depth.data[i] = raw.data[i] == kNoDepth ? 0.0F : static_cast<float>(raw.data[i] * depth_scale);
-  return depth;
+    frame.depth.data[i] = raw.data[i] == kNoDepth ? 0.0F : static_cast<float>(raw.data[i] * frame.camera.depth_scale);
+  frame.bytes_are_swapped = bytesAreSwapped({raw.data.data(), raw.width, raw.height});
 }
 
 }  // namespace epcc

@@ -16,6 +16,8 @@ struct LabelledFrame {
   CameraFile camera;
   DepthImage depth;
   LabelImage labels;
+  /// The file's values are smooth only once the two bytes of each are swapped, see bytesAreSwapped().
+  bool bytes_are_swapped = false;
   /// x, y, z of every pixel of a cloud, as its file has them; `depth` holds the measured values (ranges of a scanner)
   /// in metres. Empty for a depth image, whose pixels `camera` turns into points.
   std::vector<float> scan;
@@ -36,7 +38,7 @@ LabelledFrame readLabelledFrame(const std::string& folder, const std::string& na
 /// Depth is stored in units of camera.depth_scale, rounded; depths that do not fit 16 bits become invalid.
 void writeLabelledFrame(const std::string& folder, const LabelledFrame& frame);
 
-/// Raw depth units -> metres; 0 where they are 0 or 65535, the last number there is.
-DepthImage depthFromPng(const Image<std::uint16_t>& raw, double depth_scale);
+/// Raw depth units -> metres, by the frame's depth_scale; 0 where they are 0 or 65535, the last number there is.
+void takeDepth(const Image<std::uint16_t>& raw, LabelledFrame& frame);
 
 }  // namespace epcc

@@ -96,7 +96,7 @@ LabelledFrame DepthImageFolder::read(std::size_t index) const {
   if (raw.width != camera.width || raw.height != camera.height)
     throw InputError(paths[0], "size",
                      sizeText(raw.width, raw.height) + ", but the camera has " + sizeText(camera.width, camera.height));
-  frame.depth = depthFromPng(raw, camera_.depth_scale);
+  takeDepth(raw, frame);
   if (paths.size() > 1) frame.labels = readLabelFile(paths[1], camera.width, camera.height);
   return frame;
 }

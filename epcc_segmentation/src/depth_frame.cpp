@@ -201,4 +201,15 @@ void DepthFrame::depthRow(int row, float* depth) const {
     if (mask_[index(row, c)] == 0) depth[c] = 0.0f;
 }
 
+DepthView<std::uint16_t> DepthFrame::wholeNumbers() const {
+  DepthView<std::uint16_t> image;
+  if (depth_ == nullptr || depth_is_float_) return image;
+  image.data = reinterpret_cast<const std::uint16_t*>(depth_);
+  image.width = camera_.width;
+  image.height = camera_.height;
+  image.row_stride = transposed_ ? depth_column_stride_ : depth_row_stride_;
+  image.scale = scale_;
+  return image;
+}
+
 }  // namespace epcc

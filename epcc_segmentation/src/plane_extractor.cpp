@@ -128,6 +128,7 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
 
 void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result) {
   const bool paper = parameters_.mode == Mode::Paper;
+  if (!paper || measures_sensor_) result.doubts.bytes_are_swapped = bytesAreSwapped(frame.wholeNumbers());
   const int count = paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
   const FitSamples samples = paper ? FitSamples{1, 0, false} : workspace_->inverse_depth.fitSamples();
   StopWatch watch;

@@ -56,4 +56,10 @@ FrameSensor frameSensor(const std::string& chosen, const std::optional<std::stri
   return {*model, text, false, {}};
 }
 
+Doubts doubtsAbout(const LabelledFrame& frame, const FrameSensor& sensor, const PlaneSegmentation& result) {
+  Doubts doubts = sensor.is_measured ? sensor.doubts : result.doubts;
+  doubts.bytes_are_swapped = frame.bytes_are_swapped;
+  return doubts;
+}
+
 }  // namespace epcc

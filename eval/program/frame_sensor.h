@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "epcc_segmentation/depth_frame.h"
-#include "epcc_segmentation/doubts.h"
+#include "datasets/files/labelled_frame.h"
+#include "epcc_segmentation/plane_segmentation.h"
 #include "epcc_segmentation/sensor_model.h"
 
 namespace epcc {
@@ -27,5 +27,8 @@ std::string noiseProblem(const std::string& text);
 /// measured on the frame. InputError naming `camera_file` if the frame's own cannot be read.
 FrameSensor frameSensor(const std::string& chosen, const std::optional<std::string>& of_frame, const DepthFrame& frame,
                         const std::string& camera_file);
+
+/// What makes this result for a frame doubtful, its file included.
+Doubts doubtsAbout(const LabelledFrame& frame, const FrameSensor& sensor, const PlaneSegmentation& result);
 
 }  // namespace epcc

@@ -93,7 +93,7 @@ std::string segmentOne(const SegmentOptions& options, const SegmentInput& input,
   extractor.setSensor(sensor.model);
   PlaneSegmentation result;
   if (!extractor.extract(view, result)) throw InputError(input.path, "frame", extractor.error());
-  const Doubts& doubts = sensor.is_measured ? sensor.doubts : result.doubts;
+  const Doubts doubts = doubtsAbout(frame, sensor, result);
   if (doubts.any()) notes << kProgram << ": " << input.path << ": " << doubts.inWords() << '\n';
 
   start = Clock::now();

@@ -130,7 +130,7 @@ LabelledFrame readDepthFile(const SegmentInput& input, const SegmentOptions& opt
     throw InputError(input.path, "size",
                      sizeText(raw.width, raw.height) + ", but the camera " + input.camera_file + " has " +
                          sizeText(camera.width, camera.height));
-  frame.depth = depthFromPng(raw, frame.camera.depth_scale);
+  takeDepth(raw, frame);
   return frame;
 }
 

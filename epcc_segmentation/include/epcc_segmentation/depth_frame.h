@@ -98,6 +98,9 @@ class EPCC_CORE_EXPORT DepthFrame {
   double pinholeAlong(int row) const {
     return transposed_ ? (row - camera_.cx) / camera_.fx : (row - camera_.cy) / camera_.fy;
   }
+  /// Of a depth image of 16-bit values: the image itself, also from a transposed view. Of any other frame its data is
+  /// null.
+  DepthView<std::uint16_t> wholeNumbers() const;
   /// Of a cloud: x, y, z of pixel i at points() + pointStride() * i, and mask()[i] unless there is none; i = index().
   const float* points() const { return xyz_; }
   std::size_t pointStride() const { return point_stride_; }

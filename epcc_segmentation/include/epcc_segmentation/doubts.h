@@ -2,9 +2,11 @@
 // What speaks against a result although nothing failed.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "epcc_segmentation/depth_frame.h"
+#include "epcc_segmentation/depth_view.h"
 #include "epcc_segmentation/export.h"
 
 namespace epcc {
@@ -28,6 +30,8 @@ struct EPCC_CORE_EXPORT Doubts {
   /// Pixels that are measured, as a share of the frame's, if they are scattered over it; else 1. Below 0.05 only large
   /// planes can be found.
   double scattered_share = 1.0;
+  /// Of a depth image of 16-bit values, see bytesAreSwapped().
+  bool bytes_are_swapped = false;
 
   bool any() const;
   /// One line without its end; empty if there is nothing to say.
@@ -36,5 +40,10 @@ struct EPCC_CORE_EXPORT Doubts {
   /// Of a frame and what was measured on it, as estimateSensor() gives it.
   static Doubts of(const DepthFrame& frame, const SensorEstimate& measured);
 };
+
+/// True if neighbouring values jump as they are and are smooth once the two bytes of each are swapped: as when a reader
+/// took a PNG's numbers, big-endian, for the machine's own. Looks at the pairs of valid neighbours in some rows; false
+/// where there are too few of them.
+EPCC_CORE_EXPORT bool bytesAreSwapped(const DepthView<std::uint16_t>& depth);
 
 }  // namespace epcc

@@ -49,7 +49,8 @@ double jumpShare(const InverseDepthImage& image) {
 }
 
 bool Doubts::any() const {
-  return sensor_is_generic || jump_share >= kManyJumps || error_share >= kDoubtfulError || scattered_share < kFewPixels;
+  return bytes_are_swapped || sensor_is_generic || jump_share >= kManyJumps || error_share >= kDoubtfulError ||
+         scattered_share < kFewPixels;
 }
 
 std::string Doubts::inWords() const {
@@ -60,6 +61,12 @@ std::string Doubts::inWords() const {
     std::snprintf(text, sizeof text, "only %.2g %% of the pixels are measured: small planes cannot be found",
                   100.0 * scattered_share);
     say(text);
+  }
+  if (bytes_are_swapped) {  // all else follows
+    say("depth: the two bytes of each value are in the wrong order: swapped the values are smooth, and as they are "
+        "they "
+        "jump");
+    return line;
   }
   if (sensor_is_generic)
     say("noise: the sensor's error could not be measured, for no part of the image is flat, and a generic model is "
@@ -85,6 +92,7 @@ std::string Doubts::inWords() const {
 Doubts Doubts::of(const DepthFrame& any_frame, const SensorEstimate& measured) {
   Doubts doubts;
   if (any_frame.empty()) return doubts;
+  doubts.bytes_are_swapped = bytesAreSwapped(any_frame.wholeNumbers());
   SensorCloud cloud;
   InverseDepthImage image;
   ScatteredPixels scattered;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include "epcc_segmentation/plane_extractor.h"
 #include "epcc_segmentation/sensor_estimation.h"
@@ -28,6 +29,22 @@ epcc::test::RenderedRoom noisyRoom() {
   return room;
 }
 
+std::uint16_t swapped(std::uint16_t value) {
+  return static_cast<std::uint16_t>(value << 8 | value >> 8);
+}
+
+/// The room in millimetres.
+std::vector<std::uint16_t> wholeNumbers(const epcc::test::RenderedRoom& room) {
+  std::vector<std::uint16_t> values;
+  for (const float z : room.depth) values.push_back(static_cast<std::uint16_t>(std::lround(1000.0F * z)));
+  return values;
+}
+
+std::vector<std::uint16_t> swapped(std::vector<std::uint16_t> values) {
+  for (std::uint16_t& value : values) value = swapped(value);
+  return values;
+}
+
 }  // namespace
 
 TEST(Doubts, ThereAreNoneAboutAScene) {
@@ -37,11 +54,44 @@ TEST(Doubts, ThereAreNoneAboutAScene) {
 
 TEST(Doubts, SwappedBytesAreNamed) {
   auto room = noisyRoom();
-  for (float& z : room.depth) {
-    const auto millimetres = static_cast<std::uint16_t>(std::lround(1000.0F * z));
-    z = 0.001F * static_cast<float>(static_cast<std::uint16_t>(millimetres << 8 | millimetres >> 8));
-  }
+  const auto values = swapped(wholeNumbers(room));
+  for (std::size_t i = 0; i < values.size(); ++i) room.depth[i] = 0.001F * static_cast<float>(values[i]);
   EXPECT_NE(doubtsAbout(room.frame()).inWords().find("bytes"), std::string::npos);
+}
+
+TEST(Doubts, SwappedBytesOfWholeNumbersAreKnownForSure) {
+  const auto room = noisyRoom();
+  const auto values = wholeNumbers(room), other_way_round = swapped(values);
+  const auto frame = [&](const std::vector<std::uint16_t>& image) {
+    return epcc::DepthFrame::fromDepth(epcc::DepthView<std::uint16_t>{image.data(), 640, 480}, room.camera);
+  };
+  EXPECT_FALSE(doubtsAbout(frame(values)).any());
+  for (const auto& swapped_frame : {frame(other_way_round), frame(other_way_round).transposed()}) {
+    EXPECT_TRUE(doubtsAbout(swapped_frame).bytes_are_swapped);
+    EXPECT_NE(doubtsAbout(swapped_frame).inWords().find("wrong order"), std::string::npos);
+    EXPECT_EQ(doubtsAbout(swapped_frame).inWords().find("is this a depth image"), std::string::npos);
+  }
+}
+
+TEST(Doubts, ByteOrderOfRowsAnywhereInMemory) {
+  const auto values = wholeNumbers(noisyRoom()), other_way_round = swapped(values);
+  const auto lastRow = [](const std::vector<std::uint16_t>& image) { return image.data() + 479 * 640; };
+  EXPECT_FALSE(epcc::bytesAreSwapped({lastRow(values), 640, 480, -1280}));
+  EXPECT_TRUE(epcc::bytesAreSwapped({lastRow(other_way_round), 640, 480, -1280}));
+  EXPECT_TRUE(epcc::bytesAreSwapped({other_way_round.data(), 320, 480, 1280}));
+}
+
+TEST(Doubts, ByteOrderThatCannotBeToldIsTakenAsRight) {
+  std::mt19937 random(2);
+  auto noise = wholeNumbers(noisyRoom()), coarse = noise, few = noise;
+  for (auto& value : noise) value = static_cast<std::uint16_t>(random());
+  for (auto& value : coarse) value = static_cast<std::uint16_t>(value / 10 * 256);  // bytes below are empty
+  for (auto& value : few) value = random() % 100 < 3 ? swapped(value) : std::uint16_t{0};
+  const std::vector<std::uint16_t> none(noise.size(), 0), beyond(noise.size(), 65535), flat(noise.size(), 2000);
+  for (const auto& image : {noise, coarse, few, none, beyond, flat})
+    EXPECT_FALSE(epcc::bytesAreSwapped({image.data(), 640, 480}));
+  EXPECT_FALSE(epcc::bytesAreSwapped({}));
+  EXPECT_FALSE(epcc::bytesAreSwapped({noise.data(), 1, 1}));
 }
 
 TEST(Doubts, FewPixelsAreSaid) {
