@@ -28,7 +28,9 @@ void addFrame(const SegmentInput& input, const SegmentOptions& options, SensorPo
   const LabelledFrame frame = loadInput(input, options);
   const DepthFrame view = frameView(frame);
   if (view.empty()) throw InputError(input.path, "frame", view.problem());
-  if (!pool.add(view)) throw InputError(input.path, "size", "is not that of the frames before it");
+  if (!pool.add(view))
+    throw InputError(input.path, "size",
+                     "is not that of the frames before it, or its pixels are scattered unlike theirs");
 }
 
 /// All frames, whatever becomes of each; the worst exit code.

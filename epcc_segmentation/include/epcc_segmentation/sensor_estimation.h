@@ -32,7 +32,8 @@ struct SensorEstimate {
 /// of a millisecond at 640x480, beside the reading of the frame.
 EPCC_CORE_EXPORT SensorEstimate estimateSensor(const DepthFrame& frame);
 
-/// What an estimate comes from, for reports.
+/// What an estimate comes from, for reports. Where pixels are scattered it is measured on blocks that hold one each:
+/// sides and lags are then in blocks.
 struct SensorMeasurement {
   /// A block of the image and what a quadric leaves in it.
   struct Block {
@@ -68,7 +69,8 @@ class EPCC_CORE_EXPORT SensorPool {
   ~SensorPool();
   SensorPool(SensorPool&&) noexcept;
   SensorPool& operator=(SensorPool&&) noexcept;
-  /// False for a frame that is empty or of another size than the first: it is left out.
+  /// False for a frame that is empty, of another size than the first, or whose pixels are scattered unlike those of the
+  /// first: it is left out.
   bool add(const DepthFrame& frame);
   std::size_t frames() const;
   /// Of all frames so far. estimate.blocks is 0 if nothing could be measured.

@@ -183,6 +183,31 @@ TEST(SensorPool, OneFrameGivesWhatItGivesAlone) {
     EXPECT_NEAR(pooled.kept[scale], pooled.kept_fit[scale], 0.05) << scale;
 }
 
+TEST(SensorPool, ScatteredPixelsGiveWhatTheyGiveAlone) {
+  const auto everySecond = [](RenderedRoom frame, int offset) {
+    for (int row = 0; row < 480; ++row)
+      for (int column = 0; column < 640; ++column)
+        if (row % 2 != offset || column % 2 != offset) frame.depth[static_cast<std::size_t>(row * 640 + column)] = 0.0F;
+    return frame;
+  };
+  auto noisy = room();
+  epcc::test::addNoise(noisy, SensorModel::axial(0.003, 0.002), 2);
+  const auto sparse = everySecond(noisy, 0), beside = everySecond(noisy, 1);
+  epcc::SensorPool pool;
+  ASSERT_TRUE(pool.add(sparse.frame()));
+  const auto alone = epcc::estimateSensor(sparse.frame());
+  const auto pooled = pool.measure();
+  ASSERT_GT(alone.blocks, 0u);
+  EXPECT_EQ(pooled.estimate.blocks, alone.blocks);
+  EXPECT_EQ(pooled.estimate.a, alone.a);
+  EXPECT_EQ(pooled.estimate.b, alone.b);
+  EXPECT_EQ(pooled.estimate.correlation_length, alone.correlation_length);
+  EXPECT_FALSE(pooled.correlation.empty());
+  EXPECT_FALSE(pool.add(noisy.frame())) << "of four times the pixels";
+  EXPECT_TRUE(pool.add(beside.frame()));
+  EXPECT_NEAR(pool.measure().estimate.model().sigmaZ(1.8) / alone.model().sigmaZ(1.8), 1.0, 0.15);
+}
+
 TEST(SensorPool, FramesOfSeveralDepthsTellFloorAndGrowthApart) {
   const SensorModel truth = SensorModel::axial(0.002, 0.004);
   epcc::SensorPool pool;
