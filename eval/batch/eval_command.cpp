@@ -13,6 +13,7 @@
 #include "eval/batch/repeatability_command.h"
 #include "eval/batch/run_folder.h"
 #include "eval/batch/run_report.h"
+#include "eval/experiment/doubtful_frames.h"
 #include "eval/experiment/evaluation_files.h"
 #include "eval/experiment/problem_list.h"
 #include "eval/program/command_line.h"
@@ -93,10 +94,12 @@ FrameJobs EvalRun::shardJobs() const {
 
 void EvalRun::score(const FrameJobs& jobs, const FrameDone& done, ExperimentSummary* summary) {
   ProgressLine progress(err_);
+  DoubtfulFrames doubtful;
   std::size_t frames = 0;
   const auto in_order = [&](const std::vector<FrameRecord>& records) {
     progress.clear();
     for (const std::string& problem : frameProblems(records)) say(problem);
+    doubtful.add(records);
     if (summary != nullptr)
       for (const FrameRecord& record : records) summary->add(record);
     progress.show(++frames, jobs.size());
@@ -104,6 +107,7 @@ void EvalRun::score(const FrameJobs& jobs, const FrameDone& done, ExperimentSumm
   progress.show(0, jobs.size());
   runExperiment(jobs, evalMethods(options_), {options_.noise, options_.jobs, options_.reading}, done, in_order);
   progress.clear();
+  for (const std::string& line : doubtful.lines()) say(line);
 }
 
 std::optional<ExperimentSummary> EvalRun::run() {

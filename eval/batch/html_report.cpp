@@ -83,10 +83,10 @@ std::string rowsSection(const WorstRows& rows) {
          htmlTable(table) + "</div>\n";
 }
 
-std::string problemSection(const std::vector<std::string>& problems) {
-  if (problems.empty()) return "";
-  std::string text = "<h2>Errors</h2>\n<ul>\n";
-  for (const std::string& problem : problems) text += "<li>" + escapeHtml(problem) + "</li>\n";
+std::string listSection(const std::string& title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return "";
+  std::string text = "<h2>" + title + "</h2>\n<ul>\n";
+  for (const std::string& line : lines) text += "<li>" + escapeHtml(line) + "</li>\n";
   return text + "</ul>\n";
 }
 
@@ -108,9 +108,11 @@ Table WorstRows::table() const {
 }
 
 std::string htmlReport(const RunDescription& run, const ExperimentSummary& summary, const WorstRows& rows,
-                       const std::vector<PicturedFrame>& pictures, const std::vector<std::string>& problems) {
+                       const std::vector<PicturedFrame>& pictures, const std::vector<std::string>& problems,
+                       const std::vector<std::string>& doubts) {
   return htmlHead("Plane segmentation, scored") + aboutSection(run, summary) + totalsSection(summary) +
-         problemSection(problems) + pictureSection(pictures) + rowsSection(rows) + htmlTail();
+         listSection("Errors", problems) + listSection("Doubts", doubts) + pictureSection(pictures) +
+         rowsSection(rows) + htmlTail();
 }
 
 }  // namespace epcc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// report.html: tables that sort, pictures of frames, errors, in one file.
+// report.html: tables that sort, pictures of frames, errors, doubts, in one file.
 #pragma once
 
 #include <cstddef>
@@ -32,6 +32,7 @@ class WorstRows {
 };
 
 std::string htmlReport(const RunDescription& run, const ExperimentSummary& summary, const WorstRows& rows,
-                       const std::vector<PicturedFrame>& pictures, const std::vector<std::string>& problems);
+                       const std::vector<PicturedFrame>& pictures, const std::vector<std::string>& problems,
+                       const std::vector<std::string>& doubts = {});
 
 }  // namespace epcc

@@ -10,6 +10,7 @@
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
 #include "eval/batch/html_report.h"
+#include "eval/experiment/doubtful_frames.h"
 #include "eval/experiment/problem_list.h"
 #include "eval/report/evaluation_report.h"
 
@@ -19,6 +20,7 @@ ExperimentSummary writeRunReport(const std::string& out, const StoredResults& re
   const auto path = [&](const char* name) { return (std::filesystem::path(out) / name).string(); };
   ExperimentSummary summary;
   ProblemList problems;
+  DoubtfulFrames doubtful;
   PictureChoice choice(results.run().pictures);
   WorstRows rows;
   for (const std::string& problem : results.run().unusable) problems.add(problem);
@@ -27,6 +29,7 @@ ExperimentSummary writeRunReport(const std::string& out, const StoredResults& re
     csv << csvTable(emptyFramesTable());
     results.forEach([&](const StoredFrame& frame, const std::string& folder) {
       choice.add(frame, folder);
+      doubtful.add(frame.records);
       for (const std::string& problem : frameProblems(frame.records)) problems.add(problem);
       for (const FrameRecord& record : frame.records) {
         summary.add(record);
@@ -42,10 +45,11 @@ ExperimentSummary writeRunReport(const std::string& out, const StoredResults& re
     for (const PicturedFrame& pictured : pictures) draw(pictured);
   const bool several = results.run().datasets.size() > 1;
   writeTextFile(path("summary.json"),
-                summaryJson(summary.rows(), several ? summary.totals() : std::vector<SummaryRow>()));
-  writeTextFile(path("summary.md"), summaryMarkdown(summary, problems.lines()));
+                summaryJson(summary.rows(), several ? summary.totals() : std::vector<SummaryRow>(), doubtful));
+  writeTextFile(path("summary.md"), summaryMarkdown(summary, problems.lines(), doubtful.lines()));
   writeTextFile(path("summary.tex"), summaryLatex(summary));
-  writeTextFile(path("report.html"), htmlReport(results.run(), summary, rows, pictures, problems.lines()));
+  writeTextFile(path("report.html"),
+                htmlReport(results.run(), summary, rows, pictures, problems.lines(), doubtful.lines()));
   return summary;
 }
 

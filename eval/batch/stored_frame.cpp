@@ -31,6 +31,7 @@ Json toJson(const FrameRecord& record) {
   for (const auto* fields : {&countFields(), &furtherFields()})
     for (const MeasureField& field : *fields) json[field.name] = field.value(record.measures);
   if (record.ms) json["microseconds"] = std::lround(1e3 * *record.ms);
+  if (!record.doubt.empty()) json["doubt"] = record.doubt;
   return json;
 }
 
@@ -44,6 +45,7 @@ FrameRecord fromJson(const Json& json, const std::string& dataset, const std::st
   record.measures.instances.surfaces = record.measures.paper.surfaces;
   record.measures.instances.clusters = record.measures.paper.clusters;
   if (json.contains("microseconds")) record.ms = 1e-3 * json.at("microseconds").get<double>();
+  record.doubt = json.value("doubt", "");
   return record;
 }
 

@@ -23,12 +23,14 @@ LabelledFrame readScorable(const FrameJob& job) {
   return frame;
 }
 
-void runMethod(const Method& method, PlaneSegmenter& segmenter, const SegmenterInput& input, const LabelledFrame& frame,
-               PlaneSegmentation& segmentation, FrameRecord& record) {
+void runMethod(const Method& method, PlaneSegmenter& segmenter, const FrameSensor& sensor, const FrameJob& job,
+               const LabelledFrame& frame, PlaneSegmentation& segmentation, FrameRecord& record) {
+  const SegmenterInput input = {frameView(frame), sensor.model, job.file_name, sensor.is_measured};
   if (!segmenter.segment(input, segmentation)) {
     record.error = printable(segmenter.error(), 1000);
     return;
   }
+  record.doubt = doubtsAbout(frame, sensor, segmentation).inWords();
   record.measures = measureFrame(frame, segmentation);
   if (method.timed) record.ms = 1e3 * segmenter.seconds();
 }
@@ -82,11 +84,10 @@ FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& method
     result.frame = readScorable(job);
     readAs(result.frame, options.reading);
     result.segmentations.resize(methods.size());
-    const DepthFrame view = frameView(result.frame);
-    const FrameSensor sensor = frameSensor(options.noise, result.frame.camera.noise, view, result.frame.name + ".json");
+    const FrameSensor sensor =
+        frameSensor(options.noise, result.frame.camera.noise, frameView(result.frame), result.frame.name + ".json");
     for (std::size_t m = 0; m < methods.size(); ++m)
-      runMethod(methods[m], *segmenters[m], {view, sensor.model, job.file_name, sensor.is_measured}, result.frame,
-                result.segmentations[m], result.records[m]);
+      runMethod(methods[m], *segmenters[m], sensor, job, result.frame, result.segmentations[m], result.records[m]);
   } catch (const std::exception& error) {
     result.reading_error = printable(error.what(), 1000);
     result.frame = LabelledFrame();
@@ -94,6 +95,7 @@ FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& method
     for (FrameRecord& record : result.records) {
       record.measures = FrameMeasures();
       record.ms.reset();
+      record.doubt.clear();
       record.error = result.reading_error;
     }
   }

@@ -35,6 +35,7 @@ struct FrameRecord {
   FrameMeasures measures;    ///< all zero after an error
   std::optional<double> ms;  ///< time of the method; nothing after an error and for imported labels
   std::string error;         ///< empty if the frame was scored
+  std::string doubt = {};    ///< what makes the result doubtful although the frame was scored; empty: nothing
 };
 
 /// A frame with everything that was done to it; records and segmentations in the order of the methods.

@@ -88,6 +88,15 @@ nlohmann::ordered_json jsonRows(const std::vector<SummaryRow>& rows) {
   return json;
 }
 
+/// As a table of one column below others; nothing without lines.
+std::string linesTable(const char* title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return {};
+  Table table;
+  table.columns = {{title, false}};
+  for (const std::string& line : lines) table.rows.push_back({line});
+  return "\n" + markdownTable(table);
+}
+
 }  // namespace
 
 std::vector<SummaryRow> withTotals(const ExperimentSummary& summary) {
@@ -99,9 +108,13 @@ std::vector<SummaryRow> withTotals(const ExperimentSummary& summary) {
   return rows;
 }
 
-std::string summaryJson(const std::vector<SummaryRow>& rows, const std::vector<SummaryRow>& totals) {
+std::string summaryJson(const std::vector<SummaryRow>& rows, const std::vector<SummaryRow>& totals,
+                        const DoubtfulFrames& doubtful) {
   nlohmann::ordered_json json = {{"version", 1}, {"rows", jsonRows(rows)}};
   if (!totals.empty()) json["totals"] = jsonRows(totals);
+  for (const DoubtfulFrames::OfDataset& of : doubtful.all())
+    json["doubtful"].push_back(
+        {{"dataset", of.dataset}, {"frames", of.frames}, {"first", of.first}, {"doubt", of.doubt}});
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -170,17 +183,14 @@ std::string summaryLatex(const ExperimentSummary& summary) {
          latexTable(ratesTable(rows));
 }
 
-std::string summaryMarkdown(const ExperimentSummary& summary, const std::vector<std::string>& problems) {
+std::string summaryMarkdown(const ExperimentSummary& summary, const std::vector<std::string>& problems,
+                            const std::vector<std::string>& doubts) {
   const std::vector<SummaryRow> rows = withTotals(summary);
   std::string text = "# Evaluation\n\nCounts, summed over the frames without an error; median_ms: time of a frame.\n\n";
   text += markdownTable(countsTable(rows));
   text += "\nShares; pixels: share of the planes' pixels in a cluster of their surface.\n\n";
   text += markdownTable(ratesTable(rows));
-  if (problems.empty()) return text;
-  Table errors;
-  errors.columns = {{"error", false}};
-  for (const std::string& problem : problems) errors.rows.push_back({problem});
-  return text + "\n" + markdownTable(errors);
+  return text + linesTable("error", problems) + linesTable("doubt", doubts);
 }
 
 std::string summaryText(const ExperimentSummary& summary) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "eval/experiment/doubtful_frames.h"
 #include "eval/experiment/experiment_summary.h"
 #include "eval/report/table.h"
 
@@ -13,9 +14,10 @@ namespace epcc {
 /// The rows and, for several data sets, the totals below them.
 std::vector<SummaryRow> withTotals(const ExperimentSummary& summary);
 
-/// summary.json, version 1: see docs/reference/evaluation.md. median_ms is null where no time is known. "totals" only
-/// if there are any.
-std::string summaryJson(const std::vector<SummaryRow>& rows, const std::vector<SummaryRow>& totals = {});
+/// summary.json, version 1: see docs/reference/evaluation.md. median_ms is null where no time is known. "totals" and
+/// "doubtful" only if there are any.
+std::string summaryJson(const std::vector<SummaryRow>& rows, const std::vector<SummaryRow>& totals = {},
+                        const DoubtfulFrames& doubtful = {});
 
 /// Sums by data set and method, the columns of summary.json.
 Table countsTable(const std::vector<SummaryRow>& rows);
@@ -34,8 +36,9 @@ std::vector<std::string> pageCells(const FrameRecord& record);
 
 /// Both tables as LaTeX, totals included if there are several data sets.
 std::string summaryLatex(const ExperimentSummary& summary);
-/// Both tables, totals if there are several data sets, and the errors by name.
-std::string summaryMarkdown(const ExperimentSummary& summary, const std::vector<std::string>& problems);
+/// Both tables, totals if there are several data sets, the errors by name, and what is doubtful.
+std::string summaryMarkdown(const ExperimentSummary& summary, const std::vector<std::string>& problems,
+                            const std::vector<std::string>& doubts = {});
 /// Both tables for the terminal, with totals if there are several data sets.
 std::string summaryText(const ExperimentSummary& summary);
 

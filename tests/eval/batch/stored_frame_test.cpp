@@ -35,6 +35,16 @@ TEST_F(StoredFrames, ComeBackAsTheyWere) {
   EXPECT_EQ(back->records[0].measures.instances.recall(), m.instances.recall());
 }
 
+TEST_F(StoredFrames, ADoubtComesBackAndOlderFilesHaveNone) {
+  storeFrame(folder(), {7, "f", {{"rooms", "f", "m", {}, {}, "", "is this a depth image?"}}});
+  const std::string file = "results/rooms/000000/007.json", kept = ",\"doubt\":\"is this a depth image?\"";
+  EXPECT_EQ(loadFrame(folder(), "rooms", 7).value().records[0].doubt, "is this a depth image?");
+  std::string older = read(file);
+  ASSERT_NE(older.find(kept), std::string::npos) << older;
+  write(file, older.erase(older.find(kept), kept.size()));
+  EXPECT_EQ(loadFrame(folder(), "rooms", 7).value().records[0].doubt, "");
+}
+
 TEST_F(StoredFrames, NothingWhereThereIsNone) {
   EXPECT_FALSE(loadFrame(folder(), "rooms", 0).has_value());
 }
