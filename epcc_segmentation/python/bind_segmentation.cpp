@@ -77,10 +77,28 @@ void bindTimes(py::module_& module) {
       .def_property_readonly("total", &StageTimes::total, "All of them.");
 }
 
+void bindDoubts(py::module_& module) {
+  py::class_<Doubts>(module, "Doubts", "What speaks against a result although nothing failed.")
+      .def_readonly("sensor_is_generic", &Doubts::sensor_is_generic,
+                    "The sensor was to be measured and could not be: a generic model was used.")
+      .def_readonly("error_share", &Doubts::error_share,
+                    "The measured error at the median depth, divided by that depth; doubtful from 0.1 on.")
+      .def_readonly("jump_share", &Doubts::jump_share,
+                    "Of neighbours whose depths differ, the share that differs by over a tenth; doubtful from 0.1 on.")
+      .def_readonly("scattered_share", &Doubts::scattered_share,
+                    "Share of the pixels that are measured, if they are scattered, else 1; doubtful below 0.05.")
+      .def_readonly("bytes_are_swapped", &Doubts::bytes_are_swapped,
+                    "Of uint16 images: the values are smooth only once the two bytes of each are swapped.")
+      .def("any", &Doubts::any, "Whether there is anything to say.")
+      .def("in_words", &Doubts::inWords, "One line; empty if there is nothing to say.")
+      .def("__repr__", [](const Doubts& doubts) { return py::str("<epcc.Doubts '{}'>").format(doubts.inWords()); });
+}
+
 }  // namespace
 
 void bindSegmentation(py::module_& module) {
   bindTimes(module);
+  bindDoubts(module);
   py::class_<Segmentation>(module, "PlaneSegmentation", "The result of a segmentation.")
       .def_property_readonly("labels", &labels, R"(H x W int32: 0 for no plane, else k for planes[k - 1].
 
@@ -97,6 +115,9 @@ mean, covariance, variance: of the samples (t1, t2) in the section, metres and m
       .def("contours", &contours, "label"_a, "Borders of the plane with this label, as trace_contours(labels, label).")
       .def("all_contours", &allContours, "Borders of all planes in one pass: [k] holds those of planes[k].")
       .def_readonly("sensor", &Segmentation::sensor, "The SensorModel that was used: measured, or adapted (S0).")
+      .def_property_readonly(
+          "doubts", [](const Segmentation& s) -> const Doubts& { return s.data.doubts; },
+          py::return_value_policy::reference_internal, "Doubts: what makes the planes doubtful.")
       .def_readonly("times", &Segmentation::times, "StageTimes.")
       .def_readonly("geometry", &Segmentation::geometry, "CloudGeometry of a cloud, None of a depth image.")
       .def("__repr__", [](const Segmentation& s) {

@@ -147,3 +147,28 @@ def test_labels_of_others_get_their_planes(camera, depth):
     assert numpy.array_equal(fitted.labels, found.labels)
     with pytest.raises(epcc.InputError, match="not that of the frame"):
         epcc.fit_planes(frame, None, labels[1:])
+
+
+def test_doubts_are_fields_and_words(camera, depth):
+    result = epcc.segment(depth, camera)
+    assert not result.doubts.any() and result.doubts.in_words() == ""
+    assert not result.doubts.sensor_is_generic and not result.doubts.bytes_are_swapped
+    assert 0 < result.doubts.error_share < 0.01
+    assert 0 <= result.doubts.jump_share < 0.1
+    assert result.doubts.scattered_share == 1.0
+    with pytest.raises(AttributeError):
+        result.doubts.error_share = 0
+
+
+def test_doubts_outlive_their_result(camera, depth):
+    doubts = epcc.segment((1000 * depth).astype(numpy.uint16).byteswap(), camera).doubts
+    epcc.segment(depth, camera)
+    assert doubts.any() and doubts.bytes_are_swapped
+    assert "wrong order" in doubts.in_words() and doubts.in_words() in repr(doubts)
+
+
+def test_few_pixels_are_doubted(camera, depth):
+    kept = numpy.random.default_rng(1).random(depth.shape) < 0.03
+    doubts = epcc.segment(numpy.where(kept, depth, 0), camera).doubts
+    assert doubts.scattered_share == pytest.approx(0.03, abs=0.005)
+    assert "only" in doubts.in_words()
