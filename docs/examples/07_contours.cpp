@@ -44,7 +44,7 @@ int main() {
 }
 
 // Prints:
-//   plane 0, outline: 904 pixels, 14.3 m long
+//   plane 0, outline: 899 pixels, 14.2 m long
 //   plane 0, a hole: 120 pixels, 1.8 m long
-//   plane 1, outline: 723 pixels, 14.0 m long
-//   plane 2, outline: 539 pixels, 8.0 m long
+//   plane 1, outline: 718 pixels, 13.9 m long
+//   plane 2, outline: 541 pixels, 8.1 m long

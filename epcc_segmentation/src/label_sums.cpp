@@ -75,20 +75,42 @@ HWY_INLINE void start(const SampleRow& row, std::size_t first, LabelSums& sums) 
     for (double& lane : lanes) lane = 0.0;
 }
 
+template <bool kWeighted>
 HWY_INLINE void addRun(const SampleRow& row, std::size_t begin, std::size_t end, LabelSums& sums) {
   if (!sums.started) start(row, begin, sums);
+  const float* weight = kWeighted ? row.weight + begin : nullptr;
   double own[2 * kSums][kRunLanes];
   if (row.x == nullptr) {
-    sumRays({end - begin, row.weight + begin, nullptr, nullptr, row.z + begin, row.across + begin}, sums.origin, own);
+    sumRays<kWeighted>({end - begin, weight, nullptr, nullptr, row.z + begin, row.across + begin}, sums.origin, own);
     const double offset = row.along * sums.origin[2] - sums.origin[1];
     addRaySums(own, row.along, offset, sums.lanes);
-    addRaySums(own + kRaySums, row.along, offset, sums.lanes + kSums);
+    if (kWeighted) addRaySums(own + kRaySums, row.along, offset, sums.lanes + kSums);
   } else {
-    sumPoints({end - begin, row.weight + begin, row.x + begin, row.y + begin, row.z + begin, nullptr}, sums.origin,
-              own);
+    sumPoints<kWeighted>({end - begin, weight, row.x + begin, row.y + begin, row.z + begin, nullptr}, sums.origin, own);
     addPointSums(own, sums.lanes);
-    addPointSums(own + kSums, sums.lanes + kSums);
+    if (kWeighted) addPointSums(own + kSums, sums.lanes + kSums);
   }
+}
+
+/// Negative if the label is not one of 0 .. label_count.
+HWY_INLINE std::int32_t strayBit(std::int32_t label, std::int32_t label_count) {
+  return label < 0 || label > label_count ? -1 : 0;
+}
+
+/// row.measured without weights; the compiler makes vectors of plain loops. True if there is a stray label.
+bool markMeasured(const SampleRow& samples, std::int32_t label_count) {
+  const SampleRow row = samples;
+  std::int32_t stray = 0;
+  for (std::size_t i = 0; i < row.count; ++i) stray |= strayBit(row.labels[i], label_count);
+  if (row.x == nullptr) {
+    for (std::size_t i = 0; i < row.count; ++i) row.measured[i] = row.z[i] > 0.0f ? row.labels[i] : 0;
+  } else if (row.depth_is_range) {
+    for (std::size_t i = 0; i < row.count; ++i)
+      row.measured[i] = row.x[i] != 0.0f || row.y[i] != 0.0f || row.z[i] != 0.0f ? row.labels[i] : 0;
+  } else {
+    for (std::size_t i = 0; i < row.count; ++i) row.measured[i] = row.z[i] != 0.0f ? row.labels[i] : 0;
+  }
+  return stray < 0;
 }
 
 /// 1 / sigma_z^2 of a sample, and its label if it is measured, else 0.
@@ -103,11 +125,6 @@ HWY_INLINE void weighSample(const SampleRow& row, const SensorVariance& v, std::
   const float least = sum > v.smallest ? sum : v.smallest;
   row.weight[i] = 1.0f / (least < v.largest ? least : v.largest);
   row.measured[i] = depth > 0.0f ? row.labels[i] : 0;
-}
-
-/// Negative if the label is not one of 0 .. label_count.
-HWY_INLINE std::int32_t strayBit(std::int32_t label, std::int32_t label_count) {
-  return label < 0 || label > label_count ? -1 : 0;
 }
 
 #if HWY_TARGET == HWY_EMU128  // the compiler makes vectors of a plain loop, but not of emulated masks
@@ -162,12 +179,22 @@ bool weighSamples(const SampleRow& samples, const SensorVariance& variance, std:
 
 #endif
 
-bool sumRow(const SampleRow& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums) {
-  const bool stray = weighSamples(row, variance, label_count);
+template <bool kWeighted>
+void sumRuns(const SampleRow& row, std::int32_t label_count, LabelSums* sums) {
   forEachRun(row.measured, row.count, [&](std::size_t begin, std::size_t end) HWY_ATTR {
     const std::int32_t label = row.measured[begin];
-    if (label >= 1 && label <= label_count) addRun(row, begin, end, sums[label - 1]);
+    if (label >= 1 && label <= label_count) addRun<kWeighted>(row, begin, end, sums[label - 1]);
   });
+}
+
+bool sumRow(const SampleRow& row, const SensorVariance& variance, std::int32_t label_count, LabelSums* sums) {
+  if (row.weight == nullptr) {
+    const bool stray = markMeasured(row, label_count);
+    sumRuns<false>(row, label_count, sums);
+    return stray;
+  }
+  const bool stray = weighSamples(row, variance, label_count);
+  sumRuns<true>(row, label_count, sums);
   return stray;
 }
 

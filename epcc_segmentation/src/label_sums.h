@@ -37,7 +37,7 @@ struct SampleRow {
   const float* x = nullptr;
   const float* y = nullptr;
   bool depth_is_range = false;
-  /// Memory for each sample's weight and, if it is measured, its label.
+  /// Memory for each sample's weight, null for plain sums alone, and, if it is measured, its label.
   float* weight = nullptr;
   std::int32_t* measured = nullptr;
 };

@@ -62,7 +62,7 @@ void PlaneFitter::sumBand(const DepthFrame& image, Sums sums, const FitSamples& 
   float* y = x + padded;
   float* z = y + padded;
   SampleRow row;
-  row.weight = z + padded;
+  if (!samples.along_rays) row.weight = z + padded;
   row.measured = band.labels.data() + width;
   row.count = static_cast<std::size_t>(samplesAlong(image.width(), samples));
   row.z = z;
@@ -158,7 +158,7 @@ void PlaneFitter::findSparsePlanes() {
 }
 
 /// Of all of a sparse plane's pixels instead of its samples.
-void PlaneFitter::sumSparsePlanes(const DepthFrame& image, Sums sums, int threads,
+void PlaneFitter::sumSparsePlanes(const DepthFrame& image, Sums sums, const FitSamples& samples, int threads,
                                   const std::vector<std::int32_t>& labels) {
   if (!has_sparse_) return;
   for (Band& band : bands_)
@@ -168,7 +168,7 @@ void PlaneFitter::sumSparsePlanes(const DepthFrame& image, Sums sums, int thread
       if (sums == Sums::OfRays) band.residual_sums[i] = ResidualSums();
     }
   takes_only_ = true;
-  sumAll(image, sums, FitSamples(), threads, labels);
+  sumAll(image, sums, {1, 0, samples.along_rays}, threads, labels);
   takes_only_ = false;
 }
 
@@ -182,6 +182,7 @@ void PlaneFitter::fitPoints(const SensorModel& sensor, const FitSamples& samples
     PointMoments moments;
     for (const Band& band : bands_) moments.add(band.sums[i]);
     if (moments.plain.one == 0.0) continue;
+    if (samples.along_rays) moments.weighted = moments.plain;
     const double per_independent = sensor.pixelsPerSample() / (is_sparse_[i] != 0 ? 1.0 : area);
     fits_[i] = planeOf(moments, static_cast<std::size_t>(pixels_[i]), std::max(1.0, per_independent));
     ray_planes_[i] = rayPlaneOf(fits_[i]);
@@ -243,14 +244,14 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
     else
       countPixels(image, threads, segmentation.labels);
     findSparsePlanes();
-    sumSparsePlanes(image, Sums::OfPoints, threads, segmentation.labels);
+    sumSparsePlanes(image, Sums::OfPoints, samples, threads, segmentation.labels);
   } else {
     for (std::size_t i = 0; i < count; ++i) pixels_[i] = static_cast<long>(samplesOf(i));
   }
   fitPoints(sensor, samples);
   if (samples.along_rays) {
     sumAll(image, Sums::OfRays, samples, threads, segmentation.labels);
-    sumSparsePlanes(image, Sums::OfRays, threads, segmentation.labels);
+    sumSparsePlanes(image, Sums::OfRays, samples, threads, segmentation.labels);
     fitRays(image, samples);
   }
   listPlanes(segmentation.planes);

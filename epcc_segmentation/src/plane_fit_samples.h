@@ -19,8 +19,8 @@ namespace epcc {
 struct FitSamples {
   int stride = 1;
   int offset = 0;
-  /// After the orthogonal fit the step of fitAlongRays(), which errors of the depths do not bias; else, the paper's
-  /// way, the orthogonal fit alone, which a stream can keep.
+  /// After the orthogonal fit, without weights, the step of fitAlongRays(), which errors of the depths do not bias;
+  /// else, the paper's way, the orthogonal fit alone, which a stream can keep.
   bool along_rays = true;
 };
 
@@ -70,7 +70,8 @@ class PlaneFitter {
   double samplesOf(std::size_t plane) const;
   bool hasSamples(std::size_t plane) const;
   void findSparsePlanes();
-  void sumSparsePlanes(const DepthFrame& image, Sums sums, int threads, const std::vector<std::int32_t>& labels);
+  void sumSparsePlanes(const DepthFrame& image, Sums sums, const FitSamples& samples, int threads,
+                       const std::vector<std::int32_t>& labels);
   void fitPoints(const SensorModel& sensor, const FitSamples& samples);
   void fitRays(const DepthFrame& image, const FitSamples& samples);
   void listPlanes(std::vector<Plane>& planes);

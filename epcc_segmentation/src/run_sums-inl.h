@@ -33,20 +33,22 @@ struct Run {
 
 #if HWY_TARGET == HWY_EMU128  // the compiler makes vectors of plain loops over the lanes, but not of emulated masks
 
+template <bool kWeighted>
 HWY_INLINE void addRays(const Run& run, std::size_t first, int lanes, const double* origin, double (*sums)[kRunLanes]) {
   for (int k = 0; k < lanes; ++k) {
     const std::size_t i = first + static_cast<std::size_t>(k);
     const auto z = static_cast<double>(run.z[i]);
-    const auto weight = static_cast<double>(run.weight[i]);
     const double px = z * run.across[i] - origin[0];
     const double pz = z - origin[2];
-    const double wx = weight * px, wz = weight * pz;
     sums[0][k] += 1.0;
     sums[1][k] += px;
     sums[2][k] += pz;
     sums[3][k] += px * px;
     sums[4][k] += px * pz;
     sums[5][k] += pz * pz;
+    if (!kWeighted) continue;
+    const auto weight = static_cast<double>(run.weight[i]);
+    const double wx = weight * px, wz = weight * pz;
     sums[6][k] += weight;
     sums[7][k] += wx;
     sums[8][k] += wz;
@@ -56,6 +58,7 @@ HWY_INLINE void addRays(const Run& run, std::size_t first, int lanes, const doub
   }
 }
 
+template <bool kWeighted>
 HWY_INLINE void addPoints(const Run& run, std::size_t first, int lanes, const double* origin,
                           double (*sums)[kRunLanes]) {
   for (int k = 0; k < lanes; ++k) {
@@ -63,8 +66,6 @@ HWY_INLINE void addPoints(const Run& run, std::size_t first, int lanes, const do
     const double px = static_cast<double>(run.x[i]) - origin[0];
     const double py = static_cast<double>(run.y[i]) - origin[1];
     const double pz = static_cast<double>(run.z[i]) - origin[2];
-    const auto weight = static_cast<double>(run.weight[i]);
-    const double wx = weight * px, wy = weight * py, wz = weight * pz;
     sums[0][k] += 1.0;
     sums[1][k] += px;
     sums[2][k] += py;
@@ -75,6 +76,9 @@ HWY_INLINE void addPoints(const Run& run, std::size_t first, int lanes, const do
     sums[7][k] += py * py;
     sums[8][k] += py * pz;
     sums[9][k] += pz * pz;
+    if (!kWeighted) continue;
+    const auto weight = static_cast<double>(run.weight[i]);
+    const double wx = weight * px, wy = weight * py, wz = weight * pz;
     sums[10][k] += weight;
     sums[11][k] += wx;
     sums[12][k] += wy;
@@ -88,20 +92,22 @@ HWY_INLINE void addPoints(const Run& run, std::size_t first, int lanes, const do
   }
 }
 
+template <bool kWeighted>
 HWY_INLINE void sumRays(const Run& run, const double* origin, double (*sums)[kRunLanes]) {
   for (int i = 0; i < 2 * kRaySums; ++i)
     for (int k = 0; k < kRunLanes; ++k) sums[i][k] = 0.0;
   std::size_t i = 0;
-  for (; i + kRunLanes <= run.count; i += kRunLanes) addRays(run, i, kRunLanes, origin, sums);
-  addRays(run, i, static_cast<int>(run.count - i), origin, sums);
+  for (; i + kRunLanes <= run.count; i += kRunLanes) addRays<kWeighted>(run, i, kRunLanes, origin, sums);
+  addRays<kWeighted>(run, i, static_cast<int>(run.count - i), origin, sums);
 }
 
+template <bool kWeighted>
 HWY_INLINE void sumPoints(const Run& run, const double* origin, double (*sums)[kRunLanes]) {
   for (int i = 0; i < 2 * kSums; ++i)
     for (int k = 0; k < kRunLanes; ++k) sums[i][k] = 0.0;
   std::size_t i = 0;
-  for (; i + kRunLanes <= run.count; i += kRunLanes) addPoints(run, i, kRunLanes, origin, sums);
-  addPoints(run, i, static_cast<int>(run.count - i), origin, sums);
+  for (; i + kRunLanes <= run.count; i += kRunLanes) addPoints<kWeighted>(run, i, kRunLanes, origin, sums);
+  addPoints<kWeighted>(run, i, static_cast<int>(run.count - i), origin, sums);
 }
 
 #else
@@ -144,6 +150,7 @@ struct RaySums {
   }
 };
 
+template <bool kWeighted>
 HWY_INLINE void sumRays(const Run& run, const double* origin, double (*sums)[kRunLanes]) {
   namespace hn = hwy::HWY_NAMESPACE;
   const Double d;
@@ -155,24 +162,27 @@ HWY_INLINE void sumRays(const Run& run, const double* origin, double (*sums)[kRu
     DoubleVector weights = hn::Zero(d);
     RaySums plain, weighted;
     const auto add = [&](DoubleVector weight, DoubleVector px, DoubleVector pz) HWY_ATTR {
-      weights = hn::Add(weights, weight);
       plain.add(px, pz, px, pz);
+      if (!kWeighted) return;
+      weights = hn::Add(weights, weight);
       weighted.add(hn::Mul(weight, px), hn::Mul(weight, pz), px, pz);
     };
+    const auto weightAt = [&](std::size_t i) HWY_ATTR { return kWeighted ? loadFloats(run.weight + i) : hn::Zero(d); };
     const auto across = [&](std::size_t i, DoubleVector z)
                             HWY_ATTR { return hn::Sub(hn::Mul(z, hn::LoadU(d, run.across + i)), origin_x); };
     std::size_t i = lane;
     for (; i < whole; i += kRunLanes) {
       const DoubleVector z = loadFloats(run.z + i);
-      add(loadFloats(run.weight + i), across(i, z), hn::Sub(z, origin_z));
+      add(weightAt(i), across(i, z), hn::Sub(z, origin_z));
     }
     if (i < run.count) {
       const auto is_in = lanesBelow(run.count - whole, lane);
       const DoubleVector z = loadFloats(run.z + i);
-      add(hn::IfThenElseZero(is_in, loadFloats(run.weight + i)), hn::IfThenElseZero(is_in, across(i, z)),
+      add(hn::IfThenElseZero(is_in, weightAt(i)), hn::IfThenElseZero(is_in, across(i, z)),
           hn::IfThenElseZero(is_in, hn::Sub(z, origin_z)));
     }
     plain.store(sums, lane);
+    if (!kWeighted) continue;
     hn::StoreU(weights, d, sums[kRaySums] + lane);
     weighted.store(sums + kRaySums, lane);
   }
@@ -224,11 +234,11 @@ HWY_INLINE void sumPointsOnce(const Run& run, const double* origin, double (*sum
     };
     std::size_t i = lane;
     for (; i < whole; i += kRunLanes)
-      add(loadFloats(run.weight + i), hn::Sub(loadFloats(run.x + i), origin_x),
+      add(kWeighted ? loadFloats(run.weight + i) : hn::Zero(d), hn::Sub(loadFloats(run.x + i), origin_x),
           hn::Sub(loadFloats(run.y + i), origin_y), hn::Sub(loadFloats(run.z + i), origin_z));
     if (i < run.count) {
       const auto is_in = lanesBelow(run.count - whole, lane);
-      add(hn::IfThenElseZero(is_in, loadFloats(run.weight + i)),
+      add(kWeighted ? hn::IfThenElseZero(is_in, loadFloats(run.weight + i)) : hn::Zero(d),
           hn::IfThenElseZero(is_in, hn::Sub(loadFloats(run.x + i), origin_x)),
           hn::IfThenElseZero(is_in, hn::Sub(loadFloats(run.y + i), origin_y)),
           hn::IfThenElseZero(is_in, hn::Sub(loadFloats(run.z + i), origin_z)));
@@ -238,9 +248,10 @@ HWY_INLINE void sumPointsOnce(const Run& run, const double* origin, double (*sum
   }
 }
 
+template <bool kWeighted>
 HWY_INLINE void sumPoints(const Run& run, const double* origin, double (*sums)[kRunLanes]) {
   sumPointsOnce<false>(run, origin, sums);
-  sumPointsOnce<true>(run, origin, sums + kSums);
+  if (kWeighted) sumPointsOnce<true>(run, origin, sums + kSums);
 }
 
 #endif
