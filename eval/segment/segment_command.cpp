@@ -16,6 +16,7 @@
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
 #include "eval/program/progress_line.h"
+#include "eval/segment/frame_planes.h"
 #include "eval/segment/plane_report.h"
 #include "eval/segment/segment_input.h"
 #include "eval/segment/segment_output.h"
@@ -77,31 +78,24 @@ std::string segmentOne(const SegmentOptions& options, const SegmentInput& input,
   StepTimes times;
   Clock::time_point start = Clock::now();
   const LabelledFrame frame = loadInput(input, options);
-  const DepthFrame view = frameView(frame);
   times.reading = lapMs(start);
   if (!frame.scan.empty() && frame.geometry.unit_is_guessed)
     notes
         << kProgram << ": " << input.path
         << ": unit: taken as millimetres, for as metres the points would be too far away; --unit m, cm or mm says it\n";
 
-  const std::string& told_by = input.camera_file.empty() ? input.path : input.camera_file;
-  const FrameSensor sensor = frameSensor(options.noise, frame.camera.noise, view, told_by);
+  const FrameSensor sensor = sensorOf(input, frame, options.noise);
   times.sensor = lapMs(start);
-  Parameters parameters = options.parameters;
-  if (sensor.is_measured) parameters.inverse_depth.adapt_sensor = false;
-  extractor.setParameters(parameters);
-  extractor.setSensor(sensor.model);
   PlaneSegmentation result;
-  if (!extractor.extract(view, result)) throw InputError(input.path, "frame", extractor.error());
-  const Doubts doubts = doubtsAbout(frame, sensor, result);
-  if (doubts.any()) notes << kProgram << ": " << input.path << ": " << doubts.inWords() << '\n';
+  findPlanes(input, frame, sensor, options.parameters, extractor, result);
+  if (result.doubts.any()) notes << kProgram << ": " << input.path << ": " << result.doubts.inWords() << '\n';
 
   start = Clock::now();
   writeOutputs(outputPaths(options, input), frame, result, {extractor.sensor(), options.mesh_is_text});
   times.writing = lapMs(start);
 
   std::string report = heading(input, frame, result, sensor);
-  if (!result.planes.empty()) report += planeTable(summarizePlanes(view, result), "  ");
+  if (!result.planes.empty()) report += planeTable(summarizePlanes(frameView(frame), result), "  ");
   if (options.timing) report += timingLine(times, extractor.times());
   return report;
 }

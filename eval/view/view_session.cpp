@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "eval/segment/frame_planes.h"
+
 namespace epcc {
 namespace {
 
@@ -183,7 +185,6 @@ void ViewSession::useMode(Mode mode) {
 /// Runs a step; what it throws becomes the problem that is shown in the place of planes.
 void ViewSession::attempt(void (ViewSession::*step)()) {
   problem_.clear();
-  doubts_ = Doubts();
   result_ = PlaneSegmentation();
   summaries_.clear();
   try {
@@ -201,18 +202,11 @@ void ViewSession::load() {
 }
 
 void ViewSession::segment() {
-  const DepthFrame view = frameView(*frame_);
-  const std::string& told_by = input().camera_file.empty() ? input().path : input().camera_file;
-  const FrameSensor sensor = frameSensor(sensors_[sensor_], frame_->camera.noise, view, told_by);
+  const FrameSensor sensor = sensorOf(input(), *frame_, sensors_[sensor_]);
   sensor_name_ = sensor.name;
-  Parameters parameters = parameters_;
-  if (sensor.is_measured) parameters.inverse_depth.adapt_sensor = false;
-  extractor_.setParameters(parameters);
-  extractor_.setSensor(sensor.model);
-  if (!extractor_.extract(view, result_)) throw InputError(input().path, "frame", extractor_.error());
-  doubts_ = sensor.is_measured ? sensor.doubts : result_.doubts;
+  findPlanes(input(), *frame_, sensor, parameters_, extractor_, result_);
   seconds_ = extractor_.times().total();
-  summaries_ = summarizePlanes(view, result_);
+  summaries_ = summarizePlanes(frameView(*frame_), result_);
 }
 
 }  // namespace epcc

@@ -8,7 +8,6 @@
 
 #include "datasets/files/labelled_frame.h"
 #include "epcc_segmentation/plane_extractor.h"
-#include "eval/program/frame_sensor.h"
 #include "eval/segment/plane_report.h"
 #include "eval/segment/segment_input.h"
 #include "eval/segment/segment_options.h"
@@ -50,7 +49,7 @@ class ViewSession {
   /// Why the input could not be read or segmented, in one line; empty if it was.
   const std::string& problem() const { return problem_; }
   /// What makes the planes doubtful, in one line; empty if nothing does.
-  std::string doubt() const { return doubts_.any() ? doubts_.inWords() : std::string(); }
+  std::string doubt() const { return result_.doubts.any() ? result_.doubts.inWords() : std::string(); }
   const PlaneSegmentation& result() const { return result_; }
   const std::vector<PlaneSummary>& summaries() const { return summaries_; }
   const ViewStyle& style() const { return style_; }
@@ -93,7 +92,6 @@ class ViewSession {
   PlaneSegmentation result_;
   std::vector<PlaneSummary> summaries_;
   std::string problem_;
-  Doubts doubts_;
   std::string sensor_name_;
   double seconds_ = 0.0;
 };

@@ -211,6 +211,17 @@ TEST_F(ViewSessionTest, DoubtsAreShownWithThePlanes) {
   EXPECT_TRUE(has(viewTexts(shown).top, "doubtful: ")) << viewTexts(shown).top;
 }
 
+// What the reader of the file knows is told as epcc_segment tells it, with each sensor.
+TEST_F(ViewSessionTest, BytesInTheWrongOrderAreNamedWhateverTheSensor) {
+  std::vector<LabelledFrame> frames{test::tinyFrame("room", 1)};
+  frames[0].bytes_are_swapped = true;
+  for (const char* noise : {"auto", "0.003,0,1"}) {
+    SegmentOptions options;
+    options.noise = noise;
+    EXPECT_TRUE(has(ViewSession(options, test::inputsOf(frames)).doubt(), "wrong order")) << noise;
+  }
+}
+
 TEST_F(ViewSessionTest, WhatTheMethodRefusesIsTold) {
   SegmentOptions options;
   options.parameters.inverse_depth.line_k_max = -1.0;
