@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "epcc_segmentation/plane_edges.h"
@@ -33,6 +34,28 @@ PlaneSegmentation withPlanes(const DepthFrame& frame, const std::vector<std::int
   EXPECT_TRUE(fitPlanes(frame, exactSensor(), count, segmentation));
   return segmentation;
 }
+
+/// A depth image with its labels, drawn pixel by pixel.
+struct DrawnScene {
+  PinholeCamera camera = test::testCamera();
+  std::vector<float> depth;
+  std::vector<std::int32_t> labels;
+  int planes = 0;
+
+  /// draw(u, v, column) gives the depth, 0 for nothing, and the label.
+  template <typename Draw>
+  DrawnScene(int count, const Draw& draw) : planes(count) {
+    for (int row = 0; row < camera.height; ++row)
+      for (int column = 0; column < camera.width; ++column) {
+        const std::pair<double, int> pixel =
+            draw((column - camera.cx) / camera.fx, (row - camera.cy) / camera.fy, column);
+        depth.push_back(static_cast<float>(pixel.first));
+        labels.push_back(pixel.second);
+      }
+  }
+  DepthFrame frame() const { return DepthFrame::fromDepth(depth.data(), camera); }
+  PlaneSegmentation segmentation() const { return withPlanes(frame(), labels, camera.width, camera.height, planes); }
+};
 
 /// The mesh's sides that both planes have are as long as their edges.
 void expectClosed(const SurfacePolygons& polygons, const SurfaceMesh& mesh) {
@@ -110,18 +133,12 @@ TEST(PlaneEdges, AreasAreThoseOfThePixels) {
 
 /// Two walls of a box that stand out to the camera, right in front of it.
 TEST(PlaneEdges, BoxIsConvex) {
-  const PinholeCamera camera = test::testCamera();
-  std::vector<float> depth;
-  std::vector<std::int32_t> labels;
-  for (int row = 0; row < camera.height; ++row)
-    for (int column = 0; column < camera.width; ++column) {
-      const double u = (column - camera.cx) / camera.fx;
-      const double left = 1.0 / (1.0 - u), right = 1.0 / (1.0 + u);  // z = 1 -+ x: edge at x = 0, z = 1
-      depth.push_back(static_cast<float>(std::max(1.0 / (1.0 + u), 1.0 / (1.0 - u))));
-      labels.push_back(left > right ? 2 : 1);
-    }
-  const DepthFrame frame = DepthFrame::fromDepth(depth.data(), camera);
-  const PlaneSegmentation segmentation = withPlanes(frame, labels, camera.width, camera.height, 2);
+  const DrawnScene scene(2, [](double u, double, int) {
+    const double left = 1.0 / (1.0 - u), right = 1.0 / (1.0 + u);  // z = 1 -+ x: edge at x = 0, z = 1
+    return std::pair<double, int>(std::max(left, right), left > right ? 2 : 1);
+  });
+  const DepthFrame frame = scene.frame();
+  const PlaneSegmentation segmentation = scene.segmentation();
   const SurfacePolygons polygons = surfacePolygons(frame, exactSensor(), segmentation);
   const SurfaceMesh mesh = surfaceMesh(polygons.surfaces);
   test::expectSoundSurfaces(polygons, mesh);
@@ -129,7 +146,7 @@ TEST(PlaneEdges, BoxIsConvex) {
   const PlaneEdge& edge = polygons.edges[0];
   EXPECT_TRUE(edge.convex);
   EXPECT_NEAR(edge.angle, M_PI_2, 1e-4);
-  EXPECT_NEAR(edge.length, camera.height / camera.fy, 1e-3);
+  EXPECT_NEAR(edge.length, scene.camera.height / scene.camera.fy, 1e-3);
   // `first` is to the left of the way from start to end.
   const Eigen::Vector3d way = edge.end - edge.start;
   const bool first_is_left = segmentation.planes[0].centroid.x() < 0.0;
@@ -138,19 +155,12 @@ TEST(PlaneEdges, BoxIsConvex) {
 }
 
 TEST(PlaneEdges, StepIsNoEdge) {
-  const PinholeCamera camera = test::testCamera();
-  std::vector<float> depth;
-  std::vector<std::int32_t> labels;
-  for (int row = 0; row < camera.height; ++row)
-    for (int column = 0; column < camera.width; ++column) {
-      const double u = (column - camera.cx) / camera.fx;
-      // A wall, and before it a panel that is turned and meets the wall's plane far away from its border.
-      const bool is_panel = column < 80;
-      depth.push_back(static_cast<float>(is_panel ? 1.0 / (1.0 + 0.3 * u) : 2.0));
-      labels.push_back(is_panel ? 1 : 2);
-    }
-  const DepthFrame frame = DepthFrame::fromDepth(depth.data(), camera);
-  const PlaneSegmentation segmentation = withPlanes(frame, labels, camera.width, camera.height, 2);
+  // A wall, and before it a panel that is turned and meets the wall's plane far away from its border.
+  const DrawnScene scene(2, [](double u, double, int column) {
+    return column < 80 ? std::pair<double, int>(1.0 / (1.0 + 0.3 * u), 1) : std::pair<double, int>(2.0, 2);
+  });
+  const DepthFrame frame = scene.frame();
+  const PlaneSegmentation segmentation = scene.segmentation();
   const SurfacePolygons polygons = surfacePolygons(frame, exactSensor(), segmentation);
   EXPECT_TRUE(polygons.edges.empty());
   test::expectSoundSurfaces(polygons, surfaceMesh(polygons.surfaces));
@@ -296,17 +306,11 @@ TEST(PlaneEdges, FloorRoundAScannerIsARing) {
 }
 
 TEST(PlaneEdges, FloorToTheHorizonStaysFinite) {
-  const PinholeCamera camera = test::testCamera();
-  std::vector<float> depth;
-  std::vector<std::int32_t> labels;
-  for (int row = 0; row < camera.height; ++row)
-    for (int column = 0; column < camera.width; ++column) {
-      const double v = (row - camera.cy) / camera.fy;
-      depth.push_back(v > 0.0 ? static_cast<float>(1.0 / v) : 0.0f);
-      labels.push_back(v > 0.0 ? 1 : 0);
-    }
-  const DepthFrame frame = DepthFrame::fromDepth(depth.data(), camera);
-  const PlaneSegmentation segmentation = withPlanes(frame, labels, camera.width, camera.height, 1);
+  const DrawnScene scene(1, [](double, double v, int) {
+    return v > 0.0 ? std::pair<double, int>(1.0 / v, 1) : std::pair<double, int>(0.0, 0);
+  });
+  const DepthFrame frame = scene.frame();
+  const PlaneSegmentation segmentation = scene.segmentation();
   const SurfacePolygons polygons = surfacePolygons(frame, exactSensor(), segmentation);
   test::expectSoundSurfaces(polygons, surfaceMesh(polygons.surfaces));
   ASSERT_FALSE(polygons.surfaces[0].pieces.empty());

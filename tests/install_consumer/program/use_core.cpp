@@ -5,24 +5,14 @@
 
 #include <cmath>
 #include <cstdio>
-#include <vector>
+
+#include "wall_and_floor.h"
 
 int main() {
-  epcc::PinholeCamera camera;
-  camera.width = 160;
-  camera.height = 120;
-  camera.fx = camera.fy = 130.0;
-  camera.cx = 79.5;
-  camera.cy = 59.5;
-  std::vector<float> depth;
-  for (int row = 0; row < camera.height; ++row) {
-    const double down = (row - camera.cy) / camera.fy;
-    const double z = down > 0.3 ? 0.6 / down : 2.0;  // wall 2 m ahead, floor 0.6 m below
-    depth.insert(depth.end(), static_cast<std::size_t>(camera.width), static_cast<float>(z));
-  }
+  const WallAndFloor room;
   epcc::PlaneExtractor extractor;
   epcc::PlaneSegmentation result;
-  const bool done = extractor.extract(epcc::DepthFrame::fromDepth(depth.data(), camera), result);
+  const bool done = extractor.extract(room.frame(), result);
   const auto contours =
       epcc::traceAllContours(result.labels, result.width, result.height, static_cast<int>(result.planes.size()));
   // The library's numbers are read as it wrote them, whatever flags this is built with.

@@ -8,22 +8,12 @@
 
 #include <cmath>
 #include <cstdio>
-#include <vector>
+
+#include "wall_and_floor.h"
 
 int main() {
-  epcc::PinholeCamera camera;
-  camera.width = 160;
-  camera.height = 120;
-  camera.fx = camera.fy = 130.0;
-  camera.cx = 79.5;
-  camera.cy = 59.5;
-  std::vector<float> depth;
-  for (int row = 0; row < camera.height; ++row) {
-    const double down = (row - camera.cy) / camera.fy;
-    const double z = down > 0.3 ? 0.6 / down : 2.0;  // wall 2 m ahead, floor 0.6 m below
-    depth.insert(depth.end(), static_cast<std::size_t>(camera.width), static_cast<float>(z));
-  }
-  const epcc::DepthFrame frame = epcc::DepthFrame::fromDepth(depth.data(), camera);
+  const WallAndFloor room;
+  const epcc::DepthFrame frame = room.frame();
   epcc::PlaneExtractor extractor;
   epcc::PlaneSegmentation result;
   if (!extractor.extract(frame, result)) return 1;
@@ -35,7 +25,7 @@ int main() {
   // The library's numbers are read as it wrote them, whatever flags this is built with.
   const epcc::PlaneEdge& edge = polygons.edges[0];
   if (std::abs(edge.start.y() - 0.6) > 0.01 || std::abs(edge.end.z() - 2.0) > 0.01) return 3;
-  if (std::abs(edge.length - 2.0 * camera.width / camera.fx) > 0.05) return 4;
+  if (std::abs(edge.length - 2.0 * room.camera.width / room.camera.fx) > 0.05) return 4;
   double area = 0.0;
   for (const epcc::SurfacePolygon& surface : polygons.surfaces) area += surface.area;
   if (std::abs(mesh.totalArea() - area) > 1e-6 * area) return 5;
