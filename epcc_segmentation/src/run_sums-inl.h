@@ -21,7 +21,7 @@ namespace {
 /// Of a run of depths: 1, x, z, xx, xz, zz, then the same with weights.
 constexpr int kRaySums = 6;
 
-/// Samples of one label, all of them measured. What lies up to a block beyond them may be read.
+/// Samples of one label, all of them measured unless the sums tell. What lies up to a block beyond them may be read.
 struct Run {
   std::size_t count;
   const float* weight;

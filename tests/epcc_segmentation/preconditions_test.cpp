@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
+#include "quantile.h"
 #include "sensor/blotch_fit.h"
 #include "sensor/depth_bins.h"
-#include "sensor/quantile.h"
 
 namespace {
 

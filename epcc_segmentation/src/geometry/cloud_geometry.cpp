@@ -3,11 +3,11 @@
 #include "epcc_segmentation/cloud_geometry.h"
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/hypothesis_search.h"
 #include "geometry/scan_grid.h"
+#include "quantile.h"
 
 namespace epcc {
 
@@ -86,10 +86,7 @@ void GeometryFinder::Memory::orient(Choice& choice) const {
 double GeometryFinder::Memory::medianDistance(const PoseHypothesis& pose) {
   distances.clear();
   for (const PointLattice::Point& point : lattice.points()) distances.push_back((point.p - pose.origin).norm());
-  if (distances.empty()) return 0.0;
-  const auto at = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), at, distances.end());
-  return *at;
+  return distances.empty() ? 0.0 : median(distances);
 }
 
 void GeometryFinder::Memory::choose(const CloudView& cloud, const CloudOptions& options) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quantile.h"
+
 namespace epcc {
 
 namespace {
@@ -20,12 +22,6 @@ constexpr double kMostAhead = 0.7;
 constexpr double kMostTurn = 2.5 * M_PI;  // of the columns of one cloud
 constexpr double kRepeated = 0.15;        // of the mean step from ring to ring
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-double middle(std::vector<double>& values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 double wrapped(double angle) {
   return std::remainder(angle, 2.0 * M_PI);
@@ -63,11 +59,7 @@ double RayTables::residual(const PointLattice& lattice, const PoseHypothesis& po
 }
 
 double RayTables::quantile() {
-  if (residuals_.empty()) return kNoRays;
-  const auto at =
-      residuals_.begin() + static_cast<std::ptrdiff_t>(kQuantile * static_cast<double>(residuals_.size() - 1));
-  std::nth_element(residuals_.begin(), at, residuals_.end());
-  return *at;
+  return residuals_.empty() ? kNoRays : epcc::quantile(residuals_, kQuantile);
 }
 
 bool RayTables::repeatsRings() {
@@ -81,7 +73,7 @@ bool RayTables::repeatsRings() {
     residuals_.push_back(
         std::min(i > 0 ? group_[i] - group_[i - 1] : M_PI, i + 1 < group_.size() ? group_[i + 1] - group_[i] : M_PI));
   const double step = (group_.back() - group_.front()) / static_cast<double>(group_.size() - 1);
-  return middle(residuals_) < kRepeated * step;
+  return median(residuals_) < kRepeated * step;
 }
 
 /// Brings values group by group: each to its place, as many as come before.
@@ -102,13 +94,13 @@ double RayTables::tableResidual(std::vector<Value>& values, std::size_t groups) 
   for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {
     group_.clear();
     for (; end < values.size() && values[end].group == values[begin].group; ++end) group_.push_back(values[end].value);
-    const double median = middle(group_);
-    table_[static_cast<std::size_t>(values[begin].group)] = median;
-    sum += median;
-    squares += median * median;
+    const double middle = median(group_);
+    table_[static_cast<std::size_t>(values[begin].group)] = middle;
+    sum += middle;
+    squares += middle * middle;
     count += 1.0;
     if (group_.size() > 1)
-      for (const double value : group_) residuals_.push_back(std::abs(value - median));
+      for (const double value : group_) residuals_.push_back(std::abs(value - middle));
   }
   if (count < 2.0) return kNoRays;
   const double deviation = std::sqrt(std::max(0.0, squares / count - (sum / count) * (sum / count)));

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "quantile.h"
+
 namespace epcc {
 
 namespace {
@@ -147,10 +149,9 @@ class Camera {
                                    : std::numeric_limits<double>::infinity();
     }
     sorted_ = errors_;
-    const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
-    std::nth_element(sorted_.begin(), middle, sorted_.end());
-    limit_ = std::max(kOutlier * *middle, kExact);
-    return std::isfinite(*middle);
+    const double middle = median(sorted_);
+    limit_ = std::max(kOutlier * middle, kExact);
+    return std::isfinite(middle);
   }
 
   std::optional<PoseHypothesis> takenApart() const {

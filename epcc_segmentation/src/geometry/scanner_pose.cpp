@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+#include "quantile.h"
+
 namespace epcc {
 
 namespace {
@@ -208,9 +210,7 @@ void refineScanner(const PointLattice& lattice, PoseHypothesis& pose) {
   for (int k = 0; k < kMaxSteps; ++k) {
     sorted.assign(residuals.begin(), residuals.end());
     for (double& r : sorted) r = std::abs(r);
-    const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), at, sorted.end());
-    const double limit = std::pow(std::max(kOutlier * *at, 1e-9), 2.0);
+    const double limit = std::pow(std::max(kOutlier * median(sorted), 1e-9), 2.0);
     const double before = cost(residuals, limit);
     for (int j = 0; j < kParameters; ++j) {
       measure(moved(pose, kStepOfDerivative * Step::Unit(j), length), derivatives[static_cast<std::size_t>(j)]);

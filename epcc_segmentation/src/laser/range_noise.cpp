@@ -7,6 +7,7 @@
 #include <map>
 
 #include "laser/laser_samples.h"
+#include "quantile.h"
 
 namespace epcc {
 namespace {
@@ -83,9 +84,7 @@ RangeNoiseEstimate estimateRangeNoise(const std::vector<LaserScan>& scans) {
   std::vector<Bin> bins;
   for (auto& [number, squares] : windows) {
     if (squares.size() < kFewestWindows) continue;
-    const auto rank = squares.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(squares.size()));
-    std::nth_element(squares.begin(), rank, squares.end());
-    const double sigma = std::max(kSmallest, std::sqrt(*rank / kOfNoise));
+    const double sigma = std::max(kSmallest, std::sqrt(quantile(squares, kShare) / kOfNoise));
     bins.push_back({std::exp2((number + 0.5) / kBinsPerOctave), sigma, squares.size()});
     estimate.windows += squares.size();
   }

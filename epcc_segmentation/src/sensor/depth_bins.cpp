@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "sensor/quantile.h"
+#include "quantile.h"
 
 namespace epcc {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "geometry/sensor_cloud.h"
-#include "sensor/quantile.h"
+#include "quantile.h"
 
 namespace epcc {
 
@@ -64,8 +64,7 @@ std::string Doubts::inWords() const {
   }
   if (bytes_are_swapped) {  // all else follows
     say("depth: the two bytes of each value are in the wrong order: swapped the values are smooth, and as they are "
-        "they "
-        "jump");
+        "they jump");
     return line;
   }
   if (sensor_is_generic)
@@ -81,8 +80,7 @@ std::string Doubts::inWords() const {
   if (jump_share >= kManyJumps && error_share < kDoubtfulError) {
     std::snprintf(text, sizeof text,
                   "depth: %.0f %% of the steps between neighbouring pixels are over a tenth of the depth, as in noise: "
-                  "is this a depth image, and "
-                  "are the bytes of its values in the right order?",
+                  "is this a depth image, and are the bytes of its values in the right order?",
                   100.0 * jump_share);
     say(text);
   }

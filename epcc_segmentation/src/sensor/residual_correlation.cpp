@@ -5,8 +5,8 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "quantile.h"
 #include "sensor/blotch_fit.h"
-#include "sensor/quantile.h"
 
 namespace epcc {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sensor/quantile.h"
+#include "quantile.h"
 
 namespace epcc {
 

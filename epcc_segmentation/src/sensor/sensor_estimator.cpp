@@ -6,8 +6,8 @@
 #include "epcc_segmentation/sensor_estimation.h"
 #include "geometry/sensor_cloud.h"
 #include "inverse_depth/scattered_pixels.h"
+#include "quantile.h"
 #include "sensor/image_estimation.h"
-#include "sensor/quantile.h"
 
 namespace epcc {
 

@@ -17,4 +17,13 @@ Scalar quantile(std::vector<Scalar>& values, double share) {
   return *at;
 }
 
+/// The middle one, of an even number the larger of the two; not for an empty list. Reorders them.
+template <typename Scalar>
+Scalar median(std::vector<Scalar>& values) {
+  assert(!values.empty());
+  const auto at = values.begin() + static_cast<long>(values.size() / 2);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 }  // namespace epcc

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a stream of scan lines keeps between two of them, and what it does with one that came in order.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "epcc_segmentation/scan_line_stream.h"
+#include "metric/strip_lines.h"
+#include "stream/collected_strip.h"
+#include "stream/line_order.h"
+#include "stream/measured_stretch.h"
+#include "stream/segment_sums.h"
+#include "stream/stream_planes.h"
+
+namespace epcc {
+
+struct ScanLineStream::State {
+  State(const StreamGeometry& given_geometry, const StreamOptions& given_options);
+  void begin();
+  std::string orderProblem(std::int64_t index, Status& why) const;
+  /// Otherwise status and error say why, or said so.
+  bool isUsable() const { return problem.empty() && !is_broken; }
+  void take(const GivenLine& line);
+  void collect(const GivenLine& line);
+  void measureSensor();
+  void useSensor(const SensorModel& model);
+  void cluster();
+
+  StreamGeometry geometry;
+  StreamOptions options;
+  SensorModel sensor;
+  Status status = Status::Ok;
+  std::string error;
+  std::string problem;  // of geometry and options
+  bool is_broken = false;
+  bool is_measuring = false;
+  std::size_t measured_blocks = 0;
+  std::int64_t taken = 0, lost = 0, refused = 0;
+  LineOrder order;
+  MeasuredStretch stretch;
+  CollectedStrip collected;
+  struct Place {
+    std::int64_t index, lost_before;
+    double azimuth;
+  };
+  std::array<Place, kStripLines> places{};  // of the collected lines
+  std::int64_t last_collected = 0;
+  bool has_collected = false;
+  ClusteringRule rule;
+  StripLines strip_lines;
+  std::vector<std::int32_t> numbers;
+  std::vector<ClusteredLine> segments;
+  SegmentSums sums;
+  StreamPlanes planes;
+};
+
+}  // namespace epcc
