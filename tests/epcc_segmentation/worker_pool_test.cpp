@@ -65,7 +65,11 @@ TEST(WorkerPool, TasksWithinTasksAndOfManyUsersEnd) {
 }
 
 TEST(WorkerPool, AForkedProcessHasThreadsToo) {
-  epcc::onWorkers(2, [] {});  // the parent's workers run
+  std::atomic<int> begun{0};
+  epcc::onWorkers(2, [&] {  // the parent's workers run, and none is still starting when the process forks
+    ++begun;
+    while (begun < 2) std::this_thread::yield();
+  });
   const pid_t child = fork();
   if (child == 0) {
     std::atomic<int> calls{0};

@@ -23,10 +23,12 @@ inline bool threadsAreRefused() {
 }
 
 /// True if action() is in a child process that may start no thread. The child gives up the superuser's rights, whom the
-/// limit does not bind.
+/// limit does not bind. To call where this process has no threads either: one that just ends can hold a lock of a
+/// sanitizer's allocator at the fork, and the child would wait for it for ever. It waits for a minute.
 inline bool holdsWithoutThreads(const std::function<bool()>& action) {
   const pid_t child = ::fork();
   if (child == 0) {
+    ::alarm(60);
     const rlimit none{0, 0};
     const bool limited = ::setrlimit(RLIMIT_NPROC, &none) == 0 && (::geteuid() != 0 || ::setuid(65534) == 0);
     std::_Exit(limited && threadsAreRefused() && action() ? 0 : 1);
