@@ -62,6 +62,7 @@ TEST_P(OutOfMemory, AtAnyAllocationIsAnErrorAndTheNextFrameIsFine) {
 TEST_P(OutOfMemory, WithoutThreadsTheLabelsAreTheSame) {
   const auto room = smallRoom();
   PlaneSegmentation expected;
+  // holdsWithoutThreads() wants none before it.
   const Parameters alone = parametersOf(std::get<0>(GetParam()), 1);
   ASSERT_TRUE(PlaneExtractor(alone, sensor_).extract(room.frame(), expected));
   EXPECT_TRUE(epcc::test::holdsWithoutThreads([&] {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -16,6 +17,16 @@
 #include "parallel_for.h"
 
 namespace {
+
+/// Calls work() on two threads, when both have begun.
+void onTwoAtOnce(const std::function<void()>& work) {
+  std::atomic<int> begun{0};
+  epcc::onWorkers(2, [&] {
+    ++begun;
+    while (begun < 2) std::this_thread::yield();
+    work();
+  });
+}
 
 TEST(WorkerPool, EveryPartIsDoneOnceTimeAfterTime) {
   for (int round = 0; round < 2000; ++round) {
@@ -30,15 +41,11 @@ TEST(WorkerPool, EveryPartIsDoneOnceTimeAfterTime) {
 TEST(WorkerPool, TheThreadsAreKept) {
   std::mutex mutex;
   std::set<long> ids;
-  for (int round = 0; round < 100; ++round) {
-    std::atomic<int> calls{0};
-    epcc::onWorkers(2, [&] {
-      ++calls;
-      while (calls < 2) std::this_thread::yield();
+  for (int round = 0; round < 100; ++round)
+    onTwoAtOnce([&] {
       const std::lock_guard<std::mutex> lock(mutex);
       ids.insert(syscall(SYS_gettid));
     });
-  }
   EXPECT_LT(ids.size(), 50u) << "workers as many as the largest task of this process needed, not one a task";
 }
 
@@ -65,11 +72,7 @@ TEST(WorkerPool, TasksWithinTasksAndOfManyUsersEnd) {
 }
 
 TEST(WorkerPool, AForkedProcessHasThreadsToo) {
-  std::atomic<int> begun{0};
-  epcc::onWorkers(2, [&] {  // the parent's workers run, and none is still starting when the process forks
-    ++begun;
-    while (begun < 2) std::this_thread::yield();
-  });
+  onTwoAtOnce([] {});  // the parent's worker runs; none is still starting when the process forks
   const pid_t child = fork();
   if (child == 0) {
     std::atomic<int> calls{0};

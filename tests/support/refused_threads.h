@@ -23,8 +23,8 @@ inline bool threadsAreRefused() {
 }
 
 /// True if action() is in a child process that may start no thread. The child gives up the superuser's rights, whom the
-/// limit does not bind. To call where this process has no threads either: one that just ends can hold a lock of a
-/// sanitizer's allocator at the fork, and the child would wait for it for ever. It waits for a minute.
+/// limit does not bind. To call before this process starts threads of its own: one that is still starting can hold a
+/// lock of AddressSanitizer's allocator at the fork, and the child would wait for it for ever. It waits for a minute.
 inline bool holdsWithoutThreads(const std::function<bool()>& action) {
   const pid_t child = ::fork();
   if (child == 0) {
