@@ -35,13 +35,13 @@ in_top && /^\/\/ / { print "/" $0; next }
 in_top { print "/// \\ingroup " topic; in_top = 0; next }  # in place of #pragma once
 
 # "Eq. 22" is not the end of a sentence, nor of a line.
-/\/\/\// { $0 = gensub_numbers($0) }
+/\/\/\// { $0 = numbers_kept($0) }
 
 /^namespace epcc \{/ { print "namespace epcc { /** \\addtogroup " topic " */ /** \\{ */"; next }
 /^\}  \/\/ namespace epcc/ { print "/** \\} */ }"; next }
 { print }
 
-function gensub_numbers(line) {
+function numbers_kept(line) {
   gsub(/Eq\. /, "Eq.\\&nbsp;", line)
   gsub(/Sec\. /, "Sec.\\&nbsp;", line)
   gsub(/Fig\. /, "Fig.\\&nbsp;", line)

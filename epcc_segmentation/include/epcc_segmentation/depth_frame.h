@@ -20,12 +20,12 @@ namespace epcc {
 
 /// Pinhole intrinsics in pixels; frame x right, y down, z forward. Pixel centres at whole numbers.
 struct PinholeCamera {
-  int width = 0;
-  int height = 0;
-  double fx = 0.0;
-  double fy = 0.0;
-  double cx = 0.0;
-  double cy = 0.0;
+  int width = 0;    ///< columns of the image
+  int height = 0;   ///< rows of the image
+  double fx = 0.0;  ///< focal length along the rows, pixels; [0.001, 1e6]
+  double fy = 0.0;  ///< focal length along the columns, pixels; [0.001, 1e6]
+  double cx = 0.0;  ///< column of the optical axis, pixels; (width - 1) / 2 is the middle of the image
+  double cy = 0.0;  ///< row of the optical axis, pixels; (height - 1) / 2 is the middle of the image
 
   /// Empty if usable, else what is wrong in words.
   EPCC_CORE_EXPORT std::string validate() const;
@@ -40,8 +40,10 @@ struct PinholeCamera {
 /// A view that cannot be used (no data, a camera of another size, ...) is empty(): status() and problem() say why.
 class EPCC_CORE_EXPORT DepthFrame {
  public:
-  /// Depth image of the camera's size.
+  /// Depth image of floats, metres unless the view's scale says otherwise, of the camera's size. Unusable where the
+  /// view is empty (Status::EmptyCloud), of another size (SizeMismatch), or the camera invalid (InvalidCamera).
   static DepthFrame fromDepth(const DepthView<float>& depth, const PinholeCamera& camera);
+  /// The same of 16-bit values, millimetres unless the view's scale says otherwise.
   static DepthFrame fromDepth(const DepthView<std::uint16_t>& depth, const PinholeCamera& camera);
   /// Depth image in metres, camera.width * camera.height adjoining values; <= 0, NaN and Inf are invalid.
   static DepthFrame fromDepth(const float* depth, const PinholeCamera& camera);
@@ -63,16 +65,23 @@ class EPCC_CORE_EXPORT DepthFrame {
   /// Of a scanner's cloud: the last column adjoins the first.
   DepthFrame closedRound() const;
 
+  /// Columns of this view; 0 if it is empty.
   int width() const { return width_; }
+  /// Rows of this view; 0 if it is empty.
   int height() const { return height_; }
+  /// Whether the view cannot be used.
   bool empty() const { return width_ <= 0 || height_ <= 0; }
   /// Ok, or why the view is empty.
   Status status() const { return status_; }
   /// The same in words; empty if there is nothing wrong.
   std::string problem() const { return problem_; }
+  /// How its pixels see the world; of a cloud with a geometry() how its sensor does.
   Projection projection() const { return projection_; }
+  /// Whether it is a depth image with a camera, and not a cloud.
   bool isPinhole() const { return depth_ != nullptr; }
+  /// Whether rows and columns are exchanged, see transposed().
   bool isTransposed() const { return transposed_; }
+  /// Whether the last column adjoins the first, see closedRound().
   bool closesRound() const { return closes_round_; }
   /// How a cloud is turned into the sensor's frame before it is segmented; null if it is in it.
   const CloudGeometry* geometry() const { return geometry_; }
@@ -89,21 +98,24 @@ class EPCC_CORE_EXPORT DepthFrame {
   Eigen::Vector3d fromScan(const Eigen::Vector3d& scan_point) const;
   /// Point in the sensor's own frame, or the cloud's, metres. False for an invalid pixel.
   bool point(int row, int column, Eigen::Vector3d& point) const;
-  /// Of a pinhole frame (isPinhole()): the depths of a row in metres, 0 for invalid pixels, and the rays' slopes
-  /// u = (c - cx)/fx of a column and v = (r - cy)/fy of a row.
+  /// Of a pinhole frame (isPinhole()): writes the width() depths of a row in metres, 0 for invalid pixels.
   void depthRow(int row, float* depth) const;
+  /// Of a pinhole frame: the slope u = (c - cx)/fx of the rays of a column, x/z; v of the image's row if transposed.
   double pinholeAcross(int column) const {
     return transposed_ ? (column - camera_.cy) / camera_.fy : (column - camera_.cx) / camera_.fx;
   }
+  /// Of a pinhole frame: the slope v = (r - cy)/fy of the rays of a row, y/z; u of the image's column if transposed.
   double pinholeAlong(int row) const {
     return transposed_ ? (row - camera_.cx) / camera_.fx : (row - camera_.cy) / camera_.fy;
   }
   /// Of a depth image of 16-bit values: the image itself, also from a transposed view. Of any other frame its data is
   /// null.
   DepthView<std::uint16_t> wholeNumbers() const;
-  /// Of a cloud: x, y, z of pixel i at points() + pointStride() * i, and mask()[i] unless there is none; i = index().
+  /// Of a cloud: x, y, z of pixel i at points() + pointStride() * i with i = index(); null of a depth image.
   const float* points() const { return xyz_; }
+  /// Of a cloud: floats from a point to the next.
   std::size_t pointStride() const { return point_stride_; }
+  /// What masked() was given, 0 at pixels that count as invalid; null if there is none.
   const std::uint8_t* mask() const { return mask_; }
   /// The measured value of a point of the scan frame: z, or the range.
   double measuredDepth(const Eigen::Vector3d& scan_point) const {

@@ -14,8 +14,8 @@ namespace epcc {
 struct DepthOptions {
   bool is_distance = false;       ///< values are lengths of the rays, as some renderers write them, instead of depths
   std::optional<double> invalid;  ///< one more value of the image, in its units, that stands for nothing measured
-  double min_depth = 0.0;         ///< depths that are nearer or farther are invalid, metres
-  double max_depth = std::numeric_limits<double>::infinity();
+  double min_depth = 0.0;         ///< nearer depths are invalid, metres
+  double max_depth = std::numeric_limits<double>::infinity();  ///< farther depths are invalid, metres
 };
 
 /// Depth image of height x width values in the caller's memory, row by row. Nothing is copied or owned: the memory must
@@ -34,9 +34,9 @@ template <typename T>
 struct DepthView {
   static_assert(std::is_same<T, float>::value || std::is_same<T, std::uint16_t>::value, "depths are float or uint16");
 
-  const T* data = nullptr;
-  int width = 0;   ///< pixels
-  int height = 0;  ///< pixels
+  const T* data = nullptr;  ///< the value in row 0, column 0
+  int width = 0;            ///< pixels
+  int height = 0;           ///< pixels
   /// Bytes from the start of a row to that of the next; 0: rows adjoin. Need not be a multiple of sizeof(T); negative
   /// for images stored bottom up, whose `data` is then the last row of the memory.
   std::ptrdiff_t row_stride = 0;

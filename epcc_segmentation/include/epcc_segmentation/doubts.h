@@ -33,6 +33,7 @@ struct EPCC_CORE_EXPORT Doubts {
   /// Of a depth image of 16-bit values, see bytesAreSwapped().
   bool bytes_are_swapped = false;
 
+  /// Whether any of these is so large, or so small, that inWords() has something to say.
   bool any() const;
   /// One line without its end; empty if there is nothing to say.
   std::string inWords() const;

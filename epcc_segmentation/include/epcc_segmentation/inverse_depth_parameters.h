@@ -196,13 +196,13 @@ struct InverseDepthParameters {
 
   /// The expert fields.
   struct Expert {
-    Lines lines;
-    Planes planes;
-    Merging merging;
-    Refinement refinement;
-    Evidence evidence;
+    Lines lines;            ///< S1
+    Planes planes;          ///< S2, S3
+    Merging merging;        ///< S4, S6, S8
+    Refinement refinement;  ///< S5
+    Evidence evidence;      ///< S7
   };
-  Expert expert;
+  Expert expert;  ///< the defaults serve every sensor that was measured
 };
 
 }  // namespace epcc

@@ -47,13 +47,16 @@ struct LaserLineParameters {
 /// time.
 class EPCC_CORE_EXPORT LaserLineExtractor {
  public:
+  /// With the error of a range as the model's sigmaZ(r). What is out of range shows in extract().
   explicit LaserLineExtractor(const SensorModel& noise, const LaserLineParameters& parameters = {});
 
   /// False if the scan or a parameter cannot be used; `result` is empty then, and status() and error() say why. A scan
   /// without returns gives no lines. Throws nothing.
   bool extract(const LaserScan& scan, LaserLines& result);
 
+  /// How the last extract() ended: Status::InvalidParameters for parameters and noise model.
   Status status() const { return status_; }
+  /// What was wrong, in words; empty if nothing was.
   const std::string& error() const { return error_; }
 
  private:

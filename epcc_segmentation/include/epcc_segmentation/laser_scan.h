@@ -26,9 +26,11 @@ struct LaserScan {
   /// finite is a beam without return.
   EPCC_CORE_EXPORT static LaserScan fromPoints(const std::vector<Vector2>& points);
 
+  /// Direction of a beam, rad.
   double angle(std::size_t beam) const {
     return angles.empty() ? angle_min + angle_increment * static_cast<double>(beam) : angles[beam];
   }
+  /// Whether a beam's range counts: finite, above range_min and below range_max.
   bool hasReturn(std::size_t beam) const {
     return ranges[beam] > range_min && ranges[beam] < range_max &&
            ranges[beam] < std::numeric_limits<double>::infinity();
@@ -39,27 +41,27 @@ struct LaserScan {
 
 /// A line segment of a scan: what beams see of the line x cos(alpha) + y sin(alpha) = rho.
 struct LaserLine {
-  /// First and last beam that hit it, in the scan's order; first > last where it passes the seam of a full circle.
-  int first = 0;
-  int last = 0;
+  int first = 0;   ///< the first beam that hit it, in the scan's order ...
+  int last = 0;    ///< ... and the last; first > last where it passes the seam of a full circle
   int points = 0;  ///< beams that hit it; those between that see something else do not count
-  /// Where the first beam meets the line and where the last does (Eq. 21 along the beam), or the corner with the line
-  /// beside it; the sensor's frame, metres.
+  /// Where the first beam meets the line (Eq. 21 along the beam), or the corner with the line before it; the sensor's
+  /// frame, metres.
   Vector2 start = Vector2::Zero();
-  Vector2 end = Vector2::Zero();
+  Vector2 end = Vector2::Zero();         ///< the same of the last beam
   bool starts_in_corner = false;         ///< `start` is where this line and the one before it cross
   bool ends_in_corner = false;           ///< `end` is where this line and the next one cross
   double alpha = 0.0;                    ///< direction of the normal that points away from the sensor, rad, (-pi, pi]
   double rho = 0.0;                      ///< distance of the line from the sensor, metres, positive
   Matrix2 covariance = Matrix2::Zero();  ///< of (alpha, rho): rad^2, rad m, m^2
-  /// Of `start` and `end`, m^2: that of the line where it is met, and along the line what lies between two beams, for
-  /// the surface ends anywhere there; in a corner that of the crossing.
+  /// Of `start`, m^2: that of the line where it is met, and along the line what lies between two beams, for the surface
+  /// ends anywhere there; in a corner that of the crossing.
   Matrix2 start_covariance = Matrix2::Zero();
-  Matrix2 end_covariance = Matrix2::Zero();
-  double variance = 0.0;  ///< of the points' distances from the line, m^2
-  double chi_squared =
-      0.0;  ///< squared range errors in units of the noise model, mean by degrees of freedom; 1 if both agree
+  Matrix2 end_covariance = Matrix2::Zero();  ///< the same of `end`
+  double variance = 0.0;                     ///< of the points' distances from the line, m^2
+  /// Squared range errors in units of the noise model, mean by degrees of freedom; 1 if both agree.
+  double chi_squared = 0.0;
 
+  /// From start to end, metres.
   double length() const { return (end - start).norm(); }
 };
 

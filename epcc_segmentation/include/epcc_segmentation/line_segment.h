@@ -38,8 +38,9 @@ struct LineSegment {
   /// `covariance`.
   double variance = 0.0;
 
-  /// Row and column of the pixel at a place in the scan line.
+  /// Row of the pixel at a place in the scan line, first to last.
   int row(int position) const { return scan == ScanDirection::Columns ? position : line; }
+  /// Column of the pixel at a place in the scan line.
   int column(int position) const { return scan == ScanDirection::Columns ? line : position; }
 };
 

@@ -99,10 +99,10 @@ struct PaperParameters {
 
   /// The expert fields.
   struct Expert {
-    Lines lines;
-    Planes planes;
+    Lines lines;    ///< Algorithm 1
+    Planes planes;  ///< Algorithm 2
   };
-  Expert expert;
+  Expert expert;  ///< the defaults serve every sensor that was measured
 };
 
 }  // namespace epcc

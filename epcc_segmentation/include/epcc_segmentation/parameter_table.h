@@ -20,7 +20,8 @@ struct ParameterField {
   double (*get)(const Parameters&);  ///< its value
   void (*set)(Parameters&, double);  ///< changes it; the range is not checked
   bool whole;                        ///< whole numbers only
-  double low, high;                  ///< smallest (or kAboveZero) and largest value
+  double low;                        ///< smallest value of a number, or kAboveZero
+  double high;                       ///< largest value of a number
   std::vector<const char*> choices;  ///< the words of a choice; empty for a number
   const char* unit;                  ///< empty for a ratio or a choice
   const char* meaning;               ///< what it is, in a sentence without full stop

@@ -19,9 +19,9 @@ enum class Mode {
 
 /// Which lines of the image are the scan lines (Sec. 7.2).
 enum class ScanDirection {
-  Columns,
-  Rows,
-  Both  ///< all that the mode and the frame allow: the paper mode and spherical scans have columns alone
+  Columns,  ///< the columns alone
+  Rows,     ///< the rows alone; an error for spherical scans
+  Both      ///< all that the mode and the frame allow: the paper mode and spherical scans have columns alone
 };
 
 /// Parameters of both modes; a mode reads its own.
@@ -41,8 +41,8 @@ struct Parameters {
   /// build something else than planes on them.
   bool line_segments = false;
 
-  InverseDepthParameters inverse_depth;
-  PaperParameters paper;
+  InverseDepthParameters inverse_depth;  ///< what Mode::InverseDepth reads
+  PaperParameters paper;                 ///< what Mode::Paper reads
 
   /// Parameters of the paper mode with its defaults.
   EPCC_CORE_EXPORT static Parameters forPaper();

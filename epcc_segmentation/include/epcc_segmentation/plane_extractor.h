@@ -23,6 +23,7 @@ struct StageTimes {
   double planes = 0.0;   ///< line segments -> planes (Algorithm 2, S2)
   double regions = 0.0;  ///< join, merge, refine, reject (S3 to S8, inverse-depth mode)
   double result = 0.0;   ///< labels, least-squares planes, line segments if asked for
+  /// The sum of all stages, seconds.
   double total() const { return read + sensor + lines + planes + regions + result; }
 };
 
@@ -38,11 +39,15 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   explicit PlaneExtractor(const Parameters& parameters = Parameters(),
                           const std::optional<SensorModel>& sensor = std::nullopt);
   ~PlaneExtractor();
+  /// Takes over settings and memory; the other is not for use afterwards.
   PlaneExtractor(PlaneExtractor&&) noexcept;
+  /// Takes over settings and memory; the other is not for use afterwards.
   PlaneExtractor& operator=(PlaneExtractor&&) noexcept;
 
-  /// For the frames to come. What is out of range shows in extract().
+  /// Parameters of the frames to come. What is out of range shows in extract().
   void setParameters(const Parameters& parameters);
+  /// The sensor model of the frames to come: nothing is measured, but its size may be adapted
+  /// (InverseDepthParameters::adapt_sensor). What is out of range shows in extract().
   void setSensor(const SensorModel& sensor);
   /// The sensor model is measured on the frames and settles over a stream of them; then each measures a quarter of the
   /// blocks (SensorEstimator). Starts afresh.
@@ -54,14 +59,18 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   /// cloud that was given. A frame without a single valid pixel is no error. Nothing is thrown.
   bool extract(const DepthFrame& frame, PlaneSegmentation& result);
 
+  /// How the last extract() ended.
   Status status() const { return status_; }
   /// What was wrong, in words; empty if nothing was.
   const std::string& error() const { return error_; }
+  /// How long the last extract() took, stage by stage.
   const StageTimes& times() const { return times_; }
+  /// The parameters that were set.
   const Parameters& parameters() const { return parameters_; }
   /// The model that the last frame was segmented with: measured, or the given one as S0 adapted it
   /// (InverseDepthParameters::adapt_sensor). Before the first frame what was given.
   const SensorModel& sensor() const { return sensor_; }
+  /// Whether the sensor is measured on the frames: no model was given.
   bool measuresSensor() const { return measures_sensor_; }
 
  private:

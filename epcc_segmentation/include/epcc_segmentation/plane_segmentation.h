@@ -19,11 +19,11 @@ struct Plane {
   /// correlated: by the sensor model's length, or as it was measured where the sensor is
   /// (docs/research/uncertainty.md). Bending of the sensor that is slower than that length is not in it.
   Matrix4 coefficients_covariance = Matrix4::Zero();
-  /// Mean of the plane's points.
+  /// Mean of the plane's points, metres.
   Vector3 centroid = Vector3::Zero();
-  /// Covariance of the plane's points about the centroid, normalised by N.
+  /// Covariance of the plane's points about the centroid, normalised by N, m^2.
   Matrix3 points_covariance = Matrix3::Zero();
-  /// Root mean square of the orthogonal distances of the points.
+  /// Root mean square of the orthogonal distances of the points, metres.
   double rms = 0.0;
   /// Number of pixels.
   std::size_t pixel_count = 0;
@@ -45,10 +45,10 @@ static_assert(sizeof(Plane) == 35 * sizeof(double) && alignof(Plane) == alignof(
 /// The result of a segmentation. Labels are row-major: 0 no plane, k the plane planes[k - 1]; planes are sorted by
 /// pixel count, largest first.
 struct PlaneSegmentation {
-  int width = 0;
-  int height = 0;
-  std::vector<std::int32_t> labels;
-  std::vector<Plane> planes;
+  int width = 0;                     ///< columns of the frame
+  int height = 0;                    ///< rows of the frame
+  std::vector<std::int32_t> labels;  ///< of pixel (row, column) at [row * width + column]: 0, or k for planes[k - 1]
+  std::vector<Plane> planes;         ///< that of most pixels first
   /// The line segments of all scan lines if Parameters::line_segments asks for them: those of the columns, then those
   /// of the rows; scan line by scan line, and in order along each. The inverse-depth mode has scan lines at every
   /// `inverse_depth.stride`-th column and row, of an image 640 pixels wide columns and rows 1, 3, 5, ...

@@ -21,6 +21,7 @@ namespace epcc {
 
 /// What steers a stream beside its geometry.
 struct StreamOptions {
+  /// Parameters of Algorithms 1 and 2, as in Parameters::paper.
   PaperParameters paper;
 
   /// The sensor's error. Nothing: it is measured on the first `measured_lines` scan lines, which wait until then.
@@ -60,12 +61,14 @@ struct LabelRun {
 
 /// The labels of a scan line, final. What is in no run belongs to no plane.
 struct LabelledLine {
-  std::int64_t index = 0;
+  std::int64_t index = 0;          ///< of the scan line, as it was given or counted
   double azimuth = 0.0;            ///< as it was given, radians; 0 if none was
   const LabelRun* runs = nullptr;  ///< in order; valid during the call only
-  std::size_t run_count = 0;
+  std::size_t run_count = 0;       ///< how many there are
 
+  /// The first run: `for (const LabelRun& run : line)` goes through all.
   const LabelRun* begin() const { return runs; }
+  /// Behind the last run.
   const LabelRun* end() const { return runs + run_count; }
 };
 
@@ -89,7 +92,9 @@ class EPCC_CORE_EXPORT ScanLineStream {
   /// What is wrong with geometry or options shows at once in status() and error(), and with every scan line.
   explicit ScanLineStream(const StreamGeometry& geometry, const StreamOptions& options = StreamOptions());
   ~ScanLineStream();
+  /// Takes over the stream; the other is not for use afterwards.
   ScanLineStream(ScanLineStream&&) noexcept;
+  /// Takes over the stream; the other is not for use afterwards.
   ScanLineStream& operator=(ScanLineStream&&) noexcept;
 
   /// Called with each plane that is finished: no coming scan line can add to it, and the labels of all of its scan
@@ -127,14 +132,16 @@ class EPCC_CORE_EXPORT ScanLineStream {
   /// lines that Algorithm 2 has seen: up to StreamOptions::lines_at_once fewer than were added.
   void openPlanes(std::vector<StreamPlane>& planes) const;
 
-  /// Of the last scan line or finish().
+  /// How the last scan line, or finish(), ended.
   Status status() const;
   /// What was wrong, in words; empty if nothing was.
   const std::string& error() const;
 
-  /// Scan lines taken, counted as lost, and refused as late or repeated, since the beginning or reset().
+  /// Scan lines taken since the beginning or reset().
   std::int64_t taken() const;
+  /// Scan lines counted as lost: indices that were left out.
   std::int64_t lost() const;
+  /// Scan lines refused as late or repeated.
   std::int64_t refused() const;
 
   /// The model in use: the given one, or the measured one once it is; before that the generic one.

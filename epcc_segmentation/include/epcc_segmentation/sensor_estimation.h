@@ -23,6 +23,7 @@ struct SensorEstimate {
   double effective_length = 0.0;    ///< of blotches alone with as many pixels a sample; 0.4 is grain alone
   std::size_t blocks = 0;           ///< flat image blocks that were measured; 0: nothing was, the values are generic
 
+  /// For PlaneExtractor::setSensor() and the like.
   SensorModel model() const { return SensorModel::axial(a, b, correlation_length); }
 };
 
@@ -47,31 +48,34 @@ struct SensorMeasurement {
     double sigma;        ///< what the model is to say, metres
     std::size_t blocks;  ///< in it
   };
-  SensorEstimate estimate;
-  std::vector<Block> blocks;
-  std::vector<Bin> bins;
-  /// In units of a block's mean square after a quadric: the variance of the grain and that of the blotches.
-  double grain = 0.0;
-  double blotches = 0.0;
-  /// Mean squares that quadrics in parts of these sides (pixels) leave, in the same units, and what the two say.
-  std::array<int, 3> sides{};
-  std::array<double, 3> kept{};
-  std::array<double, 3> kept_fit{};
-  /// Autocorrelation of the residuals of the blocks' quadrics at lags of 0, 1, ... pixels, and what the two say.
-  /// Quadrics leave no long waves, so that it falls below zero.
-  std::vector<double> correlation, correlation_fit;
+  SensorEstimate estimate;           ///< the model that follows from it
+  std::vector<Block> blocks;         ///< all flat blocks
+  std::vector<Bin> bins;             ///< from near to far
+  double grain = 0.0;                ///< variance of the grain, in units of a block's mean square after a quadric
+  double blotches = 0.0;             ///< variance of the blotches, in the same units
+  std::array<int, 3> sides{};        ///< of the parts of blocks that quadrics are fitted to, too; pixels
+  std::array<double, 3> kept{};      ///< mean squares that these leave, in the same units ...
+  std::array<double, 3> kept_fit{};  ///< ... and what grain and blotches say that they leave
+  /// Autocorrelation of the residuals of the blocks' quadrics at lags of 0, 1, ... pixels. Quadrics leave no long
+  /// waves, so that it falls below zero.
+  std::vector<double> correlation;
+  std::vector<double> correlation_fit;  ///< what grain and blotches say that it is
 };
 
 /// Frames of one camera pooled: all their blocks count as those of one frame.
 class EPCC_CORE_EXPORT SensorPool {
  public:
+  /// A pool without frames.
   SensorPool();
   ~SensorPool();
+  /// Takes over the frames; the other is not for use afterwards.
   SensorPool(SensorPool&&) noexcept;
+  /// Takes over the frames; the other is not for use afterwards.
   SensorPool& operator=(SensorPool&&) noexcept;
   /// False for a frame that is empty, of another size than the first, or whose pixels are scattered unlike those of the
   /// first: it is left out.
   bool add(const DepthFrame& frame);
+  /// Frames that were added, without those left out.
   std::size_t frames() const;
   /// Of all frames so far. estimate.blocks is 0 if nothing could be measured.
   SensorMeasurement measure() const;
@@ -93,17 +97,20 @@ struct InverseDepthImage;  // internal: a frame that has been read
 /// interval * (memory / 2 + 2) - 1 frames, 35 as a rule.
 class EPCC_CORE_EXPORT SensorEstimator {
  public:
-  /// memory: number of estimates that are remembered, at least 1. interval: number of frames in a round, 1 to 150,
-  /// for a frame measures one block at least.
+  /// `memory` is the number of estimates that are remembered, at least 1: raise it for a steadier model, lower it to
+  /// follow a change sooner. `interval` is the number of frames in a round, 1 to 150, for a frame measures one block at
+  /// least: raise it to spend less time on a frame.
   explicit SensorEstimator(std::size_t memory = 15, std::size_t interval = 4);
+  /// Goes on from the estimates that the other remembers.
   SensorEstimator(const SensorEstimator& other);
+  /// Goes on from the estimates that the other remembers.
   SensorEstimator& operator=(const SensorEstimator& other);
   ~SensorEstimator();
 
   /// Measures a frame, or its share of the blocks, and returns the estimate of the stream. A change of the image size
   /// starts afresh.
   SensorEstimate update(const DepthFrame& frame);
-  /// The same of a frame that has been read.
+  /// The same of a frame that has been read: for the library itself.
   SensorEstimate update(const InverseDepthImage& image);
   /// Image blocks, large and small, that the last update looked at, flat or not: what it cost.
   std::size_t blocksLookedAt() const;

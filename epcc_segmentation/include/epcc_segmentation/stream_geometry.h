@@ -14,7 +14,13 @@ namespace epcc {
 /// The rays of a stream's scan lines.
 class EPCC_CORE_EXPORT StreamGeometry {
  public:
-  enum class Kind { CameraColumns, CameraRows, Scanner, Points };
+  /// What a scan line is.
+  enum class Kind {
+    CameraColumns,  ///< a column of depths of a camera: ScanLineStream::addColumn()
+    CameraRows,     ///< a row of depths of a camera: ScanLineStream::addRow()
+    Scanner,        ///< the ranges of all rings at one azimuth: ScanLineStream::addColumnAt()
+    Points          ///< a column of points: ScanLineStream::addPoints()
+  };
 
   /// A camera read column by column. A width of 0 is not known: any index from 0 to 1 000 000 is a column.
   static StreamGeometry cameraColumns(const PinholeCamera& camera);
@@ -27,12 +33,17 @@ class EPCC_CORE_EXPORT StreamGeometry {
   /// Columns of an organized cloud with `height` points each. `azimuth_step` says how long a turn is, 0: there is none.
   static StreamGeometry points(int height, Projection projection, double azimuth_step = 0.0);
 
+  /// What a scan line is.
   Kind kind() const { return kind_; }
   /// Samples of a scan line.
   int height() const { return height_; }
+  /// Of a camera's scan lines: its intrinsics, as they were given.
   const PinholeCamera& camera() const { return camera_; }
+  /// Of a scanner: the elevation of each ring, radians.
   const std::vector<double>& elevations() const { return elevations_; }
+  /// From column to column, radians, positive to the left; 0: not known.
   double azimuthStep() const { return azimuth_step_; }
+  /// How the scan lines' pixels see the world.
   Projection projection() const { return projection_; }
   /// Scan lines of a camera, 0: not known or no camera's.
   int lineCount() const;

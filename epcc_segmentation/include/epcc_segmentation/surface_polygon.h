@@ -24,15 +24,17 @@ namespace epcc {
 /// right; on a plane that lies (floor, ceiling, a normal within 11 degrees of the sensor's vertical) it is the sensor's
 /// right-hand side itself, laid onto the plane. The origin is the plane's centroid, put onto the plane (Eq. 28).
 struct PlaneBasis {
-  Vector3 origin = Vector3::Zero();
-  Vector3 across = Vector3::UnitX();
-  Vector3 up = Vector3::UnitY();
-  Vector3 normal = Vector3::UnitZ();
+  Vector3 origin = Vector3::Zero();   ///< the plane's centroid, on the plane; metres
+  Vector3 across = Vector3::UnitX();  ///< unit vector to the sensor's right
+  Vector3 up = Vector3::UnitY();      ///< unit vector, across turned by 90 degrees counter-clockwise for the sensor
+  Vector3 normal = Vector3::UnitZ();  ///< unit vector towards the sensor
 
+  /// Coordinates (x, y) of the foot of a point on the plane, metres.
   Vector2 flat(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d from_origin = point - origin;
     return {across.dot(from_origin), up.dot(from_origin)};
   }
+  /// The point of the plane with these coordinates, metres, in the frame of the cloud.
   Vector3 point(const Eigen::Vector2d& flat) const { return origin + flat.x() * across + flat.y() * up; }
 };
 
@@ -57,13 +59,13 @@ struct SurfaceRing {
 
 /// One connected part of a surface: its outline, counter-clockwise for the sensor, and its holes, clockwise.
 struct SurfacePiece {
-  SurfaceRing outline;
-  std::vector<SurfaceRing> holes;
+  SurfaceRing outline;             ///< counter-clockwise for the sensor
+  std::vector<SurfaceRing> holes;  ///< clockwise for the sensor, each inside the outline
 };
 
 /// The smallest rectangle, however it is turned, that holds all pieces of a surface.
 struct OrientedExtent {
-  Vector3 center = Vector3::Zero();
+  Vector3 center = Vector3::Zero();       ///< on the plane, metres, in the frame of the cloud
   Vector3 long_axis = Vector3::UnitX();   ///< unit vector along the longer side
   Vector3 short_axis = Vector3::UnitY();  ///< long_axis turned by 90 degrees counter-clockwise for the sensor
   double length = 0.0;                    ///< metres, along long_axis
@@ -73,12 +75,12 @@ struct OrientedExtent {
 /// A surface. Its pieces touch each other in single points at most; where the region leaves nothing with an inside
 /// there are none.
 struct SurfacePolygon {
-  int label = 0;  ///< the surface is planes[label - 1]
-  PlaneBasis basis;
+  int label = 0;                     ///< the surface is planes[label - 1]
+  PlaneBasis basis;                  ///< coordinates on its plane
   std::vector<SurfacePiece> pieces;  ///< the largest first
   double area = 0.0;                 ///< of the pieces without their holes, square metres
   double perimeter = 0.0;            ///< of outlines and holes, metres
-  OrientedExtent extent;
+  OrientedExtent extent;             ///< how long and wide it is
   /// What the region's pixels cover of the plane, square metres: the sum of their footprints, each as large as the
   /// pixel is, half a pixel beyond its centre to all sides.
   double pixel_area = 0.0;
@@ -95,6 +97,8 @@ enum class OutlinePlacement {
 
 /// How outlines are drawn. The defaults suit all sensors whose model is known.
 struct PolygonOptions {
+  /// How points are put onto the plane. AlongRay | Orthogonal, default AlongRay. Choose Orthogonal to stay with the
+  /// paper.
   OutlinePlacement placement = OutlinePlacement::AlongRay;
   /// How far the pixels' own edges may be to either side of the outline, pixels. Raise it for fewer points; below 0.71
   /// the steps of slanted borders stay; 0: each pixel's edge is drawn. [0, 100]
@@ -111,6 +115,7 @@ struct PolygonOptions {
   /// Borders of two surfaces that meet are moved onto their planes' common line, so that both have the same points
   /// there and a mesh is closed. Off: each border is as the pixels have it.
   bool close_edges = true;
+  /// When two surfaces meet; read with close_edges, and for SurfacePolygons::edges.
   EdgeOptions edges;
 
   /// Empty if every value is in its range, else the first thing that is wrong, in words.
@@ -119,7 +124,7 @@ struct PolygonOptions {
 
 /// All surfaces of a frame.
 struct SurfacePolygons {
-  Status status = Status::Ok;
+  Status status = Status::Ok;            ///< Ok, or why there are no surfaces
   std::string problem;                   ///< the same in words; empty if nothing is wrong
   std::vector<SurfacePolygon> surfaces;  ///< one for each plane, in their order
   std::vector<PlaneEdge> edges;          ///< where they meet

@@ -54,23 +54,35 @@ using SegmentationStatus = Status;
 template <typename PointT>
 class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
  public:
+  /// Shared pointer, as PCL's classes have it.
   using Ptr = pcl::shared_ptr<EPCCSegmentation<PointT>>;
+  /// Shared pointer to a constant object.
   using ConstPtr = pcl::shared_ptr<const EPCCSegmentation<PointT>>;
+  /// How a call ended.
   using Status = epcc::Status;
+  /// The input.
   using PointCloud = pcl::PointCloud<PointT>;
+  /// A label image.
   using PointCloudL = pcl::PointCloud<pcl::Label>;
+  /// Shared pointer to a label image.
   using PointCloudLPtr = PointCloudL::Ptr;
+  /// Planes with their outlines.
   using PlanarRegions = std::vector<pcl::PlanarRegion<PointT>, Eigen::aligned_allocator<pcl::PlanarRegion<PointT>>>;
+  /// (x, y, z, 1) of each plane, in the unit of the cloud.
   using Centroids = std::vector<Eigen::Vector4f, Eigen::aligned_allocator<Eigen::Vector4f>>;
+  /// Covariance of each plane's points, in the square of the cloud's unit.
   using Covariances = std::vector<Eigen::Matrix3f, Eigen::aligned_allocator<Eigen::Matrix3f>>;
 
   /// Label of a point that belongs to no plane.
   static constexpr std::uint32_t kNoPlane = std::numeric_limits<std::uint32_t>::max();
 
-  /// As in PCL, but a null pointer means all points, and a rectangle without a cloud is an error, not a crash.
   using pcl::PCLBase<PointT>::setIndices;
+  /// The points to look at, as in PCL; all others count as not measured. A null pointer means all points.
   void setIndices(const pcl::IndicesConstPtr& indices) override;
+  /// The same with PCL's header around the indices.
   void setIndices(const pcl::PointIndices::ConstPtr& indices) override;
+  /// The points of a rectangle of nb_rows x nb_cols pixels. Without a cloud it is an error (Status::NoInput), not a
+  /// crash.
   void setIndices(std::size_t row_start, std::size_t col_start, std::size_t nb_rows, std::size_t nb_cols) override;
 
   /// The depth sensor's noise: sigma_z(z) and correlation length. Default: measured on the clouds, see
@@ -87,6 +99,7 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   /// Fewest points of a plane, in both modes. [1, 1e9], default 60 (paper mode: 0, its segments decide alone). Raise it
   /// if small pieces of clutter are reported; lower it if small faces are missing.
   void setMinInliers(unsigned points);
+  /// What counts in the mode in use.
   unsigned getMinInliers() const;
 
   /// Gate of a line segment, in standard deviations of the sensor model (InverseDepthParameters::line_k_max). (0, 100],
@@ -95,6 +108,7 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
     parameters_.inverse_depth.line_k_max = k_max;
     inverse_depth_set_ = true;
   }
+  /// What setLineKMax() set, standard deviations.
   double getLineKMax() const { return parameters_.inverse_depth.line_k_max; }
 
   /// Gate of a plane, in standard deviations (InverseDepthParameters::plane_k_max). (0, 100], default 2. Raise it if
@@ -103,6 +117,7 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
     parameters_.inverse_depth.plane_k_max = k_max;
     inverse_depth_set_ = true;
   }
+  /// What setPlaneKMax() set, standard deviations.
   double getPlaneKMax() const { return parameters_.inverse_depth.plane_k_max; }
 
   /// Offset, in standard deviations, within which two large regions are one surface
@@ -112,34 +127,41 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
     parameters_.inverse_depth.region_tolerance = sigmas;
     inverse_depth_set_ = true;
   }
+  /// What setRegionTolerance() set, standard deviations.
   double getRegionTolerance() const { return parameters_.inverse_depth.region_tolerance; }
 
   /// Threads; the result does not depend on them. [1, 256], default 1.
   void setThreads(int threads) { parameters_.threads = threads; }
+  /// What setThreads() set.
   int getThreads() const { return parameters_.threads; }
 
   /// Scan lines along the image's columns or rows (Sec. 7.2), or all that mode and cloud allow (the default). Rows of a
   /// spherical scan are an error.
   void setScanDirection(ScanDirection direction) { parameters_.scan = direction; }
+  /// What setScanDirection() set.
   ScanDirection getScanDirection() const { return parameters_.scan; }
 
   /// Mode::InverseDepth (the default): made for the correlated error of real sensors. Mode::Paper: Algorithms 1 and 2
   /// as published. Each mode has its own settings; switching there and back changes nothing.
   void setMode(Mode mode) { parameters_.mode = mode; }
+  /// What setMode() set.
   Mode getMode() const { return parameters_.mode; }
 
   /// Settings of Mode::Paper: `segmentation.paper().max_gap = 0.2`.
   PaperParameters& paper() { return parameters_.paper; }
+  /// The same for reading.
   const PaperParameters& paper() const { return parameters_.paper; }
 
   /// All parameters of the algorithm at once.
   void setParameters(const Parameters& parameters) { parameters_ = parameters; }
+  /// All parameters, as the setters left them.
   const Parameters& getParameters() const { return parameters_; }
 
   /// How the cloud was measured, if it is in the frame that the projection has. Default, and for std::nullopt: found
   /// out from each cloud (GeometryFinder), whatever its frame is; the cloud's sensor_origin_ and sensor_orientation_
   /// are tried, too. A cloud that neither a camera nor a scanner sees so gives Status::UnknownGeometry.
   void setProjection(std::optional<Projection> projection) { cloud_options_.projection = projection; }
+  /// What setProjection() set; nothing: it is found out.
   std::optional<Projection> getProjection() const { return cloud_options_.projection; }
   /// The projection the last call worked with.
   Projection getUsedProjection() const { return geometry_.projection; }
@@ -148,12 +170,14 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
 
   /// Only a camera, or only a scanner, is looked for. Default: any.
   void setSensorKind(CloudOptions::Sensor kind) { cloud_options_.sensor = kind; }
+  /// What setSensorKind() set.
   CloudOptions::Sensor getSensorKind() const { return cloud_options_.sensor; }
 
   /// Metres per unit of the coordinates. Default 0: the metre, or the millimetre where metres are impossible, as
   /// PCL_WARN then says once. Models, centroids, covariances and regions are in units of the cloud, getSegmentation()
   /// in metres.
   void setUnit(double metres) { cloud_options_.unit = metres; }
+  /// What setUnit() set, metres; 0: it is found out.
   double getUnit() const { return cloud_options_.unit; }
 
   /// Points nearer or farther are invalid: depth of a camera, range of a scanner, metres. Default: all are valid.
@@ -161,47 +185,60 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
     cloud_options_.min_depth = nearest;
     cloud_options_.max_depth = farthest;
   }
+  /// The nearest valid depth, metres.
   double getMinDepth() const { return cloud_options_.min_depth; }
+  /// The farthest valid depth, metres.
   double getMaxDepth() const { return cloud_options_.max_depth; }
 
   /// Points all of whose coordinates are this are invalid, too. Points that many pixels have in common need not be
   /// named.
   void setInvalidValue(std::optional<float> value) { cloud_options_.invalid = value; }
+  /// What setInvalidValue() set.
   std::optional<float> getInvalidValue() const { return cloud_options_.invalid; }
 
   /// True moves the contour points of planar regions orthogonally onto their plane (Eq. 28). Default false:
   /// they stay where they were measured.
   void setProjectPoints(bool project) { project_points_ = project; }
+  /// What setProjectPoints() set.
   bool getProjectPoints() const { return project_points_; }
 
-  /// \name Accepted so that programs for pcl::OrganizedMultiPlaneSegmentation compile; without effect, as the first
-  /// call of each says with PCL_WARN. The sensor model takes the place of these thresholds, and there are no normals
-  /// and no comparators.
+  /// \name Without effect
+  /// Accepted so that programs for pcl::OrganizedMultiPlaneSegmentation compile, as the first call of each says with
+  /// PCL_WARN. The sensor model takes the place of these thresholds, and there are no normals and no comparators.
   /// \{
+
+  /// Kept for getAngularThreshold() alone, radians.
   void setAngularThreshold(double radians) {
     warnWithoutEffect(0, "setAngularThreshold", "the sensor model takes its place");
     angular_threshold_ = radians;
   }
+  /// What setAngularThreshold() set, radians; default 3 degrees.
   double getAngularThreshold() const { return angular_threshold_; }
+  /// Kept for getDistanceThreshold() alone, metres.
   void setDistanceThreshold(double metres) {
     warnWithoutEffect(1, "setDistanceThreshold", "the sensor model takes its place");
     distance_threshold_ = metres;
   }
+  /// What setDistanceThreshold() set, metres; default 0.02.
   double getDistanceThreshold() const { return distance_threshold_; }
+  /// Kept for getMaximumCurvature() alone.
   void setMaximumCurvature(double curvature) {
     warnWithoutEffect(2, "setMaximumCurvature", "the sensor model takes its place");
     maximum_curvature_ = curvature;
   }
+  /// What setMaximumCurvature() set; default 0.001.
   double getMaximumCurvature() const { return maximum_curvature_; }
   /// A pointer to any normal cloud, null too; it is not kept.
   template <typename NormalCloud>
   void setInputNormals(const pcl::shared_ptr<NormalCloud>&) {
     warnWithoutEffect(3, "setInputNormals", "no normals are used");
   }
+  /// Any comparator; it is not kept.
   template <typename Comparator>
   void setComparator(const pcl::shared_ptr<Comparator>&) {
     warnWithoutEffect(4, "setComparator", "there are no comparators");
   }
+  /// Any comparator; it is not kept.
   template <typename Comparator>
   void setRefinementComparator(const pcl::shared_ptr<Comparator>&) {
     warnWithoutEffect(5, "setRefinementComparator", "there are no comparators");
@@ -238,8 +275,9 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   /// The points of each plane, the call of PCL's clustering classes.
   void extract(std::vector<pcl::PointIndices>& clusters);
 
-  /// How the last call ended, and what was wrong in words (empty if nothing).
+  /// How the last call ended; Status::NoInput before the first.
   Status getStatus() const { return status_; }
+  /// What was wrong, in words; empty if nothing was.
   const std::string& getErrorMessage() const { return error_; }
 
   /// Labels and planes of the last call in the core's types, in double and with covariances.
@@ -252,6 +290,7 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   using pcl::PCLBase<PointT>::initCompute;
   using pcl::PCLBase<PointT>::deinitCompute;
 
+  /// The name in messages.
   virtual std::string getClassName() const { return "EPCCSegmentation"; }
 
  private:
