@@ -31,19 +31,27 @@ FNR == 1 {
   next
 }
 
-in_top && /^\/\/ / { print "/" $0; next }
+in_top && /^\/\/ / { print text("/" $0); next }
 in_top { print "/// \\ingroup " topic; in_top = 0; next }  # in place of #pragma once
 
-# "Eq. 22" is not the end of a sentence, nor of a line.
-/\/\/\// { $0 = numbers_kept($0) }
+# Definitions outside of their class would be listed once more.
+/^inline .*::/ { is_outside = 1 }
+is_outside { if (/^\}/) is_outside = 0; print ""; next }
+
+/\/\/\// { $0 = text($0) }
 
 /^namespace epcc \{/ { print "namespace epcc { /** \\addtogroup " topic " */ /** \\{ */"; next }
 /^\}  \/\/ namespace epcc/ { print "/** \\} */ }"; next }
 { print }
 
-function numbers_kept(line) {
-  gsub(/Eq\. /, "Eq.\\&nbsp;", line)
-  gsub(/Sec\. /, "Sec.\\&nbsp;", line)
-  gsub(/Fig\. /, "Fig.\\&nbsp;", line)
+# "Eq. 22" is not the end of a sentence, as the backslash tells Doxygen. A sentence that begins with "Planes" does not
+# speak of the struct of that name: % keeps Doxygen from a link to it.
+function text(line) {
+  gsub(/Eq\. /, "Eq.\\ ", line)
+  gsub(/Sec\. /, "Sec.\\ ", line)
+  gsub(/Fig\. /, "Fig.\\ ", line)
+  gsub(/ Planes /, " %Planes ", line)
+  gsub(/ Lines /, " %Lines ", line)
+  gsub(/ Parameters /, " %Parameters ", line)
   return line
 }

@@ -4,8 +4,10 @@
 
 namespace epcc {
 
-/// Mode::InverseDepth. Lengths in sigma are in standard deviations of the sensor model; "independent samples" are
-/// pixels divided by those that the sensor's correlated error covers (SensorModel::pixelsPerSample()).
+/// Parameters of Mode::InverseDepth, the default mode.
+///
+/// Lengths in sigma are in standard deviations of the sensor model; "independent samples" are pixels divided by those
+/// that the sensor's correlated error covers (SensorModel::pixelsPerSample()).
 struct InverseDepthParameters {
   /// Planes with fewer pixels are rejected (S7); of a frame whose pixels are scattered their area counts, holes
   /// included. [1, 1e9] pixels, default 60. Raise it if small pieces of clutter are reported; lower it if small faces

@@ -15,6 +15,7 @@ namespace epcc {
 ///   column of a spherical scan;
 /// - t2: place along the axis, in the order of the pixels: y of a column (-y if y is up), x of a row, -z of a spherical
 ///   scan.
+///
 /// The line passes through `mean` along the main axis of `covariance`; in the paper mode these are the prototype's own.
 /// In the inverse-depth mode, which grows its lines in inverse depth, they are those of the samples it took, in metres;
 /// its samples are those of a grid, every `inverse_depth.stride`-th row and column, and other scan lines have none.

@@ -12,7 +12,7 @@ enum class PlaneCriterion {
   Prototype                ///< (d) sigma_j^2
 };
 
-/// Eq. 26: how much an end point counts in the covariance of its plane. d is its distance from the plane before it is
+/// How much an end point counts in the covariance of its plane (Eq. 26). d is its distance from the plane before it is
 /// added, mu the running mean of these distances (mu_jd), at least 1e-6 m.
 enum class EndpointWeight {
   Printed,      ///< exp(-d^2/mu^2), as printed
@@ -23,7 +23,7 @@ enum class EndpointWeight {
   None          ///< 1
 };
 
-/// Mode::Paper. Defaults are those of Table 3.
+/// Parameters of Mode::Paper, the algorithm as published; defaults are those of Table 3.
 struct PaperParameters {
   /// k_max of Eq. 20: a sample belongs to the line segment if d^2 <= k_max^2 (sigma^2 + s^2). (0, 100] sigma, default
   /// 2. Raise it if scan lines break into short segments; lower it if segments bend around edges.

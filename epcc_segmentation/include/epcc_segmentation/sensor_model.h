@@ -19,6 +19,7 @@ namespace epcc {
 /// standard deviation sigma_z(z), in one of two forms:
 ///  - polynomial, Eq. 22 of the paper: sigma_z = k1 z^2 + k2 z + k3;
 ///  - axial: sigma_z^2 = a^2 + (b z^2)^2, a floor plus the growth of a triangulating sensor.
+///
 /// Real depth error comes in blotches: correlationLength() is their Gaussian radius in pixels.
 class EPCC_CORE_EXPORT SensorModel {
  public:
