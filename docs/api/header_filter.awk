@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What Doxygen reads of a public header: the sentence at its top becomes the text of the file's page, and what it declares
-# goes to the header's topic (topics.dox), so that the headers themselves need no commands. Lines stay where they are.
+# What Doxygen reads of a public header: the sentence at its top becomes the text of the file's page, and what it
+# declares goes to the header's topic (topics.dox), so that the headers themselves need no commands. Lines stay where they
+# are.
 BEGIN {
   add("segmentation", "plane_extractor plane_segmentation line_segment doubts status plane_fit")
   add("parameters", "parameters inverse_depth_parameters paper_parameters parameter_table")
@@ -32,14 +33,15 @@ FNR == 1 {
 }
 
 in_top && /^\/\/ / { print text("/" $0); next }
-in_top { print "/// \\ingroup " topic; in_top = 0; next }  # in place of #pragma once
+in_top { in_top = 0; print topic == "" ? "" : "/// \\ingroup " topic; next }  # in place of #pragma once
 
 # Definitions outside of their class would be listed once more.
-/^inline .*::/ { is_outside = 1 }
+/^inline [^(]*[A-Z][A-Za-z]*::[A-Za-z]+\(/ { is_outside = 1 }
 is_outside { if (/^\}/) is_outside = 0; print ""; next }
 
 /\/\/\// { $0 = text($0) }
 
+topic == "" { print; next }
 /^namespace epcc \{/ { print "namespace epcc { /** \\addtogroup " topic " */ /** \\{ */"; next }
 /^\}  \/\/ namespace epcc/ { print "/** \\} */ }"; next }
 { print }
