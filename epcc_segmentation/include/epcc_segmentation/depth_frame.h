@@ -31,7 +31,8 @@ struct PinholeCamera {
   EPCC_CORE_EXPORT std::string validate() const;
 };
 
-/// Non-owning view; the data must outlive it. Row-major. Cheap to copy.
+/// A view on a depth image, an organized cloud or a scan, row by row: nothing is copied, and the data must outlive it.
+/// Cheap to copy.
 ///
 /// The algorithm works in a *scan frame* in which every scan line is a column: across (x), along the
 /// scan line (y), forward (z). scanPoint() gives a point in it, fromScan() turns it back; transposed() gives the view
