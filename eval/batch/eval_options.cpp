@@ -184,7 +184,7 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
 std::optional<int> parseEvalOptions(int argc, const char* const* argv, EvalOptions& options, std::ostream& out,
                                     std::ostream& err) {
   CLI::App app(kDescription, "epcc_eval");
-  app.footer(kFooter);
+  app.footer(presetLine("PRESET") + kFooter);
   app.set_version_flag("--version", versionText("epcc_eval"));
   RawOptions raw;
   addOptions(app, options, raw);

@@ -12,13 +12,14 @@
 #include "datasets/support/joined.h"
 #include "eval/comparison/study_catalogue.h"
 #include "eval/program/command_line.h"
+#include "eval/program/frame_sensor.h"
 
 namespace epcc {
 namespace {
 
 constexpr const char* kDescription =
-    "The paper's comparison (Table 4, Fig. 21) of region growing, RANSAC and EPCC on rendered surrogates of its\n"
-    "scenes, and, with study NAME, its parameter studies. Leaves tables and pictures in --out.";
+    "Repeats the paper's comparison (Table 4, Fig. 21) on rendered surrogates of its scenes: region growing, RANSAC\n"
+    "and EPCC; with study NAME, its parameter studies. Leaves tables and pictures in --out.";
 constexpr const char* kFooter =
     "Exit codes: 0 done, 2 wrong usage, 3 a method failed, 4 an output could not be written.";
 constexpr int kMaxSeeds = 100000;
@@ -95,7 +96,7 @@ void addOptions(CLI::App& app, CompareOptions& options, RawOptions& raw) {
 std::optional<int> parseCompareOptions(int argc, const char* const* argv, CompareOptions& options, std::ostream& out,
                                        std::ostream& err) {
   CLI::App app(kDescription, "epcc_compare");
-  app.footer(kFooter);
+  app.footer(presetLine("A preset SENSOR") + kFooter);
   app.set_version_flag("--version", versionText("epcc_compare"));
   RawOptions raw;
   addOptions(app, options, raw);

@@ -5,6 +5,7 @@
 #include "datasets/files/camera_json.h"
 #include "datasets/support/folder_listing.h"
 #include "datasets/support/input_error.h"
+#include "datasets/support/joined.h"
 #include "epcc_segmentation/sensor_estimation.h"
 
 namespace epcc {
@@ -39,6 +40,10 @@ std::string noiseProblem(const std::string& text) {
   if (SensorModel::parse(text, &why)) return {};
   const bool is_unknown = why.find("is neither a preset") != std::string::npos;
   return is_unknown ? why + ", nor auto, nor a FILE.json" : why;
+}
+
+std::string presetLine(const std::string& word) {
+  return word + " is one of " + joined(SensorModel::presetNames()) + ".\n";
 }
 
 FrameSensor frameSensor(const std::string& chosen, const std::optional<std::string>& of_frame, const DepthFrame& frame,

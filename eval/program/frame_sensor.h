@@ -23,6 +23,9 @@ struct FrameSensor {
 /// takes; else what is wrong. InputError naming the file if there is none that can be used.
 std::string noiseProblem(const std::string& text);
 
+/// Line of a help text: "PRESET is one of d435i, ...", with the `word` that the help has for it.
+std::string presetLine(const std::string& word);
+
 /// The command line's choice (empty: none), as noiseProblem() takes it, else the frame's own "noise", else "auto":
 /// measured on the frame. InputError naming `camera_file` if the frame's own cannot be read.
 FrameSensor frameSensor(const std::string& chosen, const std::optional<std::string>& of_frame, const DepthFrame& frame,

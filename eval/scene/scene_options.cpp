@@ -12,6 +12,7 @@
 #include "datasets/files/image.h"
 #include "datasets/support/input_error.h"
 #include "eval/program/command_line.h"
+#include "eval/program/frame_sensor.h"
 
 namespace epcc {
 namespace {
@@ -106,13 +107,15 @@ std::string setOptions(const RawOptions& raw, SceneCommandOptions& options) {
 
 void addOptions(CLI::App& app, RawOptions& raw, SceneCommandOptions& options) {
   app.add_option("SCENE", raw.scene, "a, b, c, d or all");
-  app.add_option("--out", options.out, "folder that receives SCENE_SEED_depth.png, _labels.png and .json");
-  auto* seed = app.add_option("--seed", raw.seed, "arrangement, camera pose and noise (default 0)");
-  auto* count = app.add_option("--count", raw.count, "number of seeds from --seed on (default 1)");
-  app.add_option("--seeds", raw.seeds, "FIRST:LAST, both included")->excludes(seed)->excludes(count);
+  app.add_option("--out", options.out, "folder that receives SCENE_SEED_depth.png, _labels.png and .json")
+      ->type_name("DIR");
+  auto* seed = app.add_option("--seed", raw.seed, "arrangement, camera pose and noise (default 0)")->type_name("N");
+  auto* count = app.add_option("--count", raw.count, "number of seeds from --seed on (default 1)")->type_name("N");
+  app.add_option("--seeds", raw.seeds, "both included")->type_name("FIRST:LAST")->excludes(seed)->excludes(count);
   app.add_option("--noise", raw.noise,
                  "none (default) | white:SENSOR | stereo | stereo-registered; SENSOR is a preset, A,B,L or "
-                 "poly:K1,K2,K3; stereo-registered is depth warped to a finer colour grid");
+                 "poly:K1,K2,K3; stereo-registered is depth warped to a finer colour grid")
+      ->type_name("NOISE");
   app.add_option("--width", raw.width, "pixels (default 480)");
   app.add_option("--height", raw.height, "pixels (default 270)");
   app.add_option("--fx", raw.fx, "focal length, pixels (default: half the width)");
@@ -130,7 +133,7 @@ void addOptions(CLI::App& app, RawOptions& raw, SceneCommandOptions& options) {
 std::optional<int> parseSceneOptions(int argc, const char* const* argv, SceneCommandOptions& options, std::ostream& out,
                                      std::ostream& err) {
   CLI::App app(kDescription, "epcc_scene");
-  app.footer(kFooter);
+  app.footer(presetLine("A preset SENSOR") + kFooter);
   app.set_version_flag("--version", versionText("epcc_scene"));
   app.set_help_flag("-h,--help", "print this help and exit");
   RawOptions raw;

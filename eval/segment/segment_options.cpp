@@ -7,6 +7,7 @@
 
 #include "datasets/support/folder_listing.h"
 #include "eval/program/command_line.h"
+#include "eval/program/frame_sensor.h"
 #include "eval/segment/frame_arguments.h"
 #include "eval/segment/parameter_page.h"
 
@@ -78,7 +79,7 @@ void printParameters() {
 std::optional<int> parseSegmentOptions(int argc, const char* const* argv, SegmentOptions& options, std::ostream& out,
                                        std::ostream& err) {
   CLI::App app(kDescription, "epcc_segment");
-  app.footer(kFooter);
+  app.footer(presetLine("PRESET") + kFooter);
   app.set_version_flag("--version", versionText("epcc_segment"));
   FrameArguments arguments;
   app.add_flag_callback("--list-parameters", printParameters,

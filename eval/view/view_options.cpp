@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "eval/program/command_line.h"
+#include "eval/program/frame_sensor.h"
 #include "eval/segment/frame_arguments.h"
 #include "eval/view/view_keys.h"
 
@@ -50,7 +51,7 @@ std::string setKeys(const std::string& text, ViewOptions& options) {
 std::optional<int> parseViewOptions(int argc, const char* const* argv, ViewOptions& options, std::ostream& out,
                                     std::ostream& err) {
   CLI::App app(kDescription, "epcc_view");
-  app.footer(kFooter);
+  app.footer(presetLine("PRESET") + kFooter);
   app.set_version_flag("--version", versionText("epcc_view"));
   FrameArguments arguments;
   std::string size = "1280x800", keys;
