@@ -12,6 +12,7 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_PACKAGE_NAME epcc-segmentation)
 set(CPACK_PACKAGE_CONTACT ${EPCC_PACKAGE_CONTACT})
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -24,6 +25,7 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SOURCE ${CPACK_PACKAGE_NAME})
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_THREADS 0)
 # dpkg-shlibdeps finds this project's libraries here; the packages that will hold them are named below.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/epcc_segmentation)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/divide.cmake)
@@ -33,11 +35,12 @@ set(CPACK_COMPONENTS_ALL "")
 
 set(abi ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})  # the libraries' SOVERSION
 set(this_version "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+# Lines as they are read; CPack writes the blanks and dots of the control file.
 set(about [[
- EPCC finds the planes in depth images and organized point clouds by evolving
- principal component clustering: line segments of scan lines first, planes of
- neighbouring line segments next, both judged by the noise of the sensor.
- .
+EPCC finds the planes in depth images and organized point clouds by evolving
+principal component clustering: line segments of scan lines first, planes of
+neighbouring line segments next, both judged by the noise of the sensor.
+
 ]])
 
 # epcc_package(COMPONENT [BINARY] NAME name SECTION section SUMMARY line HOLDS line ... [DEPENDS package ...]
@@ -46,8 +49,8 @@ macro(epcc_package component)
   cmake_parse_arguments(ARG BINARY "NAME;SECTION;SUMMARY" "HOLDS;DEPENDS;RECOMMENDS;SUGGESTS;CONTROL" ${ARGN})
   list(APPEND CPACK_COMPONENTS_ALL ${component})
   string(TOUPPER ${component} upper)
-  list(JOIN ARG_HOLDS "\n " holds)
-  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${ARG_SUMMARY}\n${about} ${holds}")
+  list(JOIN ARG_HOLDS "\n" holds)
+  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${ARG_SUMMARY}\n${about}${holds}")
   set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${ARG_NAME})
   set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${ARG_SECTION})
   set(CPACK_DEBIAN_${upper}_PACKAGE_SHLIBDEPS ${ARG_BINARY})
@@ -57,16 +60,20 @@ macro(epcc_package component)
   endforeach()
 endmacro()
 
-# epcc_library_packages(COMPONENT STEM SUMMARY [LIBRARIES package ...] [DEVELOPMENT package ...] ...): STEM0.1 with the
-# library and STEM-dev with its headers; what their packages of this project and others are needed by.
+# epcc_library_packages(COMPONENT STEM SUMMARY [LIBRARIES package ...] [DEVELOPMENT package ...] [SUGGESTS package ...]):
+# STEM0.1 with the library, which needs LIBRARIES, and STEM-dev, whose headers need DEVELOPMENT. (CPack adds scripts that
+# call ldconfig, too; the trigger is Debian's way.)
 macro(epcc_library_packages component stem summary)
+  string(REPLACE "-" "_" library ${stem})
   cmake_parse_arguments(LIB "" "" "LIBRARIES;DEVELOPMENT;SUGGESTS" ${ARGN})
   epcc_package(${component}_runtime BINARY NAME ${stem}${abi} SECTION libs SUMMARY "${summary}"
-    HOLDS "This package holds the shared library." DEPENDS ${LIB_LIBRARIES})
+    HOLDS "This package holds the shared library." DEPENDS ${LIB_LIBRARIES}
+    CONTROL ${PROJECT_BINARY_DIR}/debian/${component}/shlibs ${PROJECT_SOURCE_DIR}/cmake/debian/library/triggers)
+  file(WRITE ${PROJECT_BINARY_DIR}/debian/${component}/shlibs
+       "${library} ${abi} ${stem}${abi} (>= ${PROJECT_VERSION})\n")
   epcc_package(${component} NAME ${stem}-dev SECTION libdevel SUMMARY "${summary} (development files)"
     HOLDS "This package holds the C++ headers and what CMake and pkg-config need."
     DEPENDS "${stem}${abi} ${this_version}" ${LIB_DEVELOPMENT} SUGGESTS ${LIB_SUGGESTS})
-  set(CPACK_DEBIAN_${upper}_RUNTIME_PACKAGE_GENERATE_SHLIBS ON)
 endmacro()
 
 set(core_library "libepcc-core${abi} ${this_version}")
@@ -75,7 +82,7 @@ epcc_library_packages(core libepcc-core "planes of depth images and organized cl
   DEVELOPMENT "libeigen3-dev (>= 3.3)" SUGGESTS libepcc-geometry-dev libepcc-segmentation-dev)
 if(TARGET epcc_geometry)
   set(geometry_library "libepcc-geometry${abi} ${this_version}")
-  epcc_library_packages(geometry libepcc-geometry "polygons, edges and meshes of planes in depth images"
+  epcc_library_packages(geometry libepcc-geometry "polygons and meshes of planes in depth images"
     LIBRARIES ${core_library} DEVELOPMENT ${core_headers})
 endif()
 if(TARGET epcc_segmentation)
@@ -90,7 +97,8 @@ if(TARGET epcc_python)
   endforeach()
   math(EXPR next_minor "${python_MINOR} + 1")
   epcc_package(python BINARY NAME python3-epcc SECTION python SUMMARY "planes of depth images and organized clouds, in Python"
-    HOLDS "This package holds the module epcc for Python ${python_MAJOR}.${python_MINOR}, which works on numpy arrays."
+    HOLDS "This package holds the module epcc for Python ${python_MAJOR}.${python_MINOR}, which works"
+          "on numpy arrays."
     DEPENDS "python3 (>= ${python_MAJOR}.${python_MINOR})" "python3 (<< ${python_MAJOR}.${next_minor})" python3-numpy
     CONTROL ${PROJECT_SOURCE_DIR}/cmake/debian/python/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/python/prerm)
 endif()

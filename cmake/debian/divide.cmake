@@ -8,10 +8,14 @@ if(NOT CPACK_EPCC_PREFIX STREQUAL "/usr")
   message(STATUS "configured for ${CPACK_EPCC_PREFIX}: folders are not Debian's (preset package has them)")
 endif()
 
-# The licence's paragraphs, as the copyright file wants them.
-file(STRINGS ${CPACK_EPCC_SOURCE_DIR}/LICENSE lines)
-list(JOIN lines "\n" license)
-string(REGEX REPLACE "^[^\n]*\n+Copyright[^\n]*\n" "" license "\n${license}")
+# The licence's paragraphs as the copyright file wants them: lines begin with a blank, empty ones hold a dot.
+file(READ ${CPACK_EPCC_SOURCE_DIR}/LICENSE license)
+if(NOT license MATCHES "\nCopyright \\(c\\) ([^\n]+)\n+(.+[^\n])\n*$")
+  message(FATAL_ERROR "LICENSE names no holder of the copyright")
+endif()
+set(holder "${CMAKE_MATCH_1}")
+string(REPLACE "\n" "\n " license " ${CMAKE_MATCH_2}")
+string(REPLACE "\n \n" "\n .\n" license "${license}")
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH, if set
 set(version ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
 foreach(component ${CPACK_COMPONENTS_ALL})
