@@ -8,4 +8,4 @@ if ! command -v shellcheck >/dev/null; then
   echo "check_scripts.sh: shellcheck is not installed" >&2
   exit 77
 fi
-{ scripts/source_files.sh . .sh && echo .ci/run; } | xargs -d '\n' shellcheck --external-sources
+{ scripts/source_files.sh . .sh && echo .ci/run && find cmake/debian/python -type f; } | xargs -d '\n' shellcheck --external-sources

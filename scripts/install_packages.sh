@@ -12,6 +12,7 @@ packages=(
   pybind11-dev python3-dev python3-numpy # the Python module
   python3-pytest python3-pip python3-setuptools python3-wheel # its tests, and the wheel
   libx11-dev xvfb # epcc_view, with its test
+  pkg-config dpkg-dev file # what is installed, with its test, and the Debian packages
   "$@"
 )
 

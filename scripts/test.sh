@@ -8,7 +8,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 stage() { printf '==== %s (after %d s)\n' "$1" "$SECONDS"; }
 
 stage "Packages"
-scripts/install_packages.sh clang-format-14 shellcheck valgrind python3-matplotlib doxygen g++-aarch64-linux-gnu
+scripts/install_packages.sh clang-format-14 shellcheck valgrind python3-matplotlib doxygen mandoc \
+  g++-aarch64-linux-gnu
 stage "Format, scripts, floors"
 scripts/check_format.sh
 scripts/check_scripts.sh

@@ -90,7 +90,8 @@ void addMethodOptions(CLI::App& app, SegmentOptions& options, FrameArguments& ra
   add("--criterion", raw.criterion, "a|b|c|d", "Paper: form of the criterion, Table 2 (a)")->check(checkCriterion);
   add("--plane-weight", raw.plane_weight, "FORM",
       "Paper: weight of an endpoint, Eq. 26: printed | exponential | gaussian | cauchy | huber | none (printed)");
-  add("--set", raw.assignments, "NAME=VALUE", "Any parameter, as epcc_segment --list-parameters names it; may be given again")
+  add("--set", raw.assignments, "NAME=VALUE",
+      "Any parameter, as epcc_segment --list-parameters names it; may be given again")
       ->expected(1)
       ->take_all();
   add("--threads", p.threads, "N", "Threads; the result does not depend on them (1)");

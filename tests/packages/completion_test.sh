@@ -7,6 +7,7 @@ set -euo pipefail
 program=$1 name=$(basename "$1") page=$3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+# shellcheck source=/dev/null
 source "$2"
 fail() {
   echo "completion_test.sh: $name: $*" >&2

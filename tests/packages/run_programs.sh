@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Each installed program says its version and does a real job; so does the Python module. Run where the packages are
-# installed, in a folder to write to.
+# installed, in a folder to write to; epcc_view draws its window where there is xvfb-run.
 set -euo pipefail
 
 work=$(mktemp -d -p .)
