@@ -58,7 +58,7 @@ if mount -t proc proc "$system/proc" 2>/dev/null; then is_mounted=yes; fi
 cp /etc/resolv.conf "$system/etc/resolv.conf"
 mkdir "$system/root/packages" "$system/root/work"
 cp "$packages"/*.deb "$system/root/packages/"
-cp -r tests/packages tests/install_consumer/program "$system/root/work/"
+cp -r tests/packages tests/install_consumer/program docs/examples "$system/root/work/"
 
 inside() {
   chroot "$system" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
@@ -82,6 +82,9 @@ apt install -y --no-install-recommends "${files[@]}" g++ cmake make pkg-config x
 stage "Building programs"
 inside packages/build_with_cmake.sh program cmake_build
 inside packages/build_with_pkg_config.sh program pkg_config_build
+quietly inside cmake -S examples -B examples_build -DCMAKE_BUILD_TYPE=Release
+quietly inside cmake --build examples_build -j "$(nproc)"
+inside examples_build/01_depth_image
 stage "Running the programs again, with a display for the viewer"
 inside packages/run_programs.sh
 stage "Removing"
