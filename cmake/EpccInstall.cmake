@@ -4,8 +4,8 @@ set(EPCC_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/epcc_segmentation)
 set(EPCC_PKGCONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 # epcc_install_library(TARGET COMPONENT c DESCRIPTION text [NEEDS package ...] [NEEDS_INSIDE package ...]
-# [FLAGS_INSIDE flag ...]): the library, its export file and TARGET.pc. NEEDS are the pkg-config packages that its headers
-# include. What it needs inside a shared library brings along itself; with a static one the program links it.
+# [FLAGS_INSIDE flag ...]): the library, its export file and TARGET.pc. NEEDS are the pkg-config packages that its
+# headers include. What it needs inside, a shared library brings along itself; with a static one the program links it.
 function(epcc_install_library target)
   cmake_parse_arguments(ARG "" "COMPONENT;DESCRIPTION" "NEEDS;NEEDS_INSIDE;FLAGS_INSIDE" ${ARGN})
   install(TARGETS ${target} EXPORT ${target}Targets COMPONENT ${ARG_COMPONENT})

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Debian packages by CPack, divided and named as Debian does it: each library as what runs and as what is for development,
-# the Python module, the programs, the viewer. They are built with the prefix /usr: preset package, docs/reference/packages.md.
+# Debian packages by CPack, divided and named as Debian does it: each library as what runs and as what is for
+# development, the Python module, the programs, the viewer. They are built with the prefix /usr: preset package,
+# docs/reference/packages.md.
 if(NOT BUILD_SHARED_LIBS OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux")
   return()
 endif()
@@ -44,7 +45,8 @@ neighbouring line segments next, both judged by the noise of the sensor.
 ]])
 
 # epcc_package(COMPONENT [BINARY] NAME name SECTION section SUMMARY line HOLDS line ... [DEPENDS package ...]
-# [RECOMMENDS package ...] [SUGGESTS package ...] [CONTROL file ...]): with BINARY what its files link is added to DEPENDS.
+# [RECOMMENDS package ...] [SUGGESTS package ...] [CONTROL file ...]): with BINARY, what its files link is added to
+# DEPENDS.
 macro(epcc_package component)
   cmake_parse_arguments(ARG BINARY "NAME;SECTION;SUMMARY" "HOLDS;DEPENDS;RECOMMENDS;SUGGESTS;CONTROL" ${ARGN})
   list(APPEND CPACK_COMPONENTS_ALL ${component})
@@ -60,9 +62,9 @@ macro(epcc_package component)
   endforeach()
 endmacro()
 
-# epcc_library_packages(COMPONENT STEM SUMMARY [LIBRARIES package ...] [DEVELOPMENT package ...] [SUGGESTS package ...]):
-# STEM0.1 with the library, which needs LIBRARIES, and STEM-dev, whose headers need DEVELOPMENT. (CPack adds scripts that
-# call ldconfig, too; the trigger is Debian's way.)
+# epcc_library_packages(COMPONENT STEM SUMMARY [LIBRARIES package ...] [DEVELOPMENT package ...]
+# [SUGGESTS package ...]): STEM0.1 with the library, which needs LIBRARIES, and STEM-dev, whose headers need
+# DEVELOPMENT. (CPack adds scripts that call ldconfig, too; the trigger is Debian's way.)
 macro(epcc_library_packages component stem summary)
   string(REPLACE "-" "_" library ${stem})
   cmake_parse_arguments(LIB "" "" "LIBRARIES;DEVELOPMENT;SUGGESTS" ${ARGN})
@@ -96,7 +98,8 @@ if(TARGET epcc_python)
     get_directory_property(python_${part} DIRECTORY epcc_segmentation/python DEFINITION Python3_VERSION_${part})
   endforeach()
   math(EXPR next_minor "${python_MINOR} + 1")
-  epcc_package(python BINARY NAME python3-epcc SECTION python SUMMARY "planes of depth images and organized clouds, in Python"
+  epcc_package(python BINARY NAME python3-epcc SECTION python
+    SUMMARY "planes of depth images and organized clouds, in Python"
     HOLDS "This package holds the module epcc for Python ${python_MAJOR}.${python_MINOR}, which works"
           "on numpy arrays."
     DEPENDS "python3 (>= ${python_MAJOR}.${python_MINOR})" "python3 (<< ${python_MAJOR}.${next_minor})" python3-numpy

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The script by which bash completes a program's command line, from its --help: options, the words that an option takes,
-files with the right ending, folders."""
+"""The script by which bash completes a program's command line, from its --help: options, the words that an option
+takes, files with the right ending, folders."""
 import re
 from pathlib import Path
 

@@ -7,7 +7,8 @@ import time
 
 def escaped(text):
     """Text as roff takes it: no escape, hyphens that can be searched for, no line that looks like a request."""
-    text = text.replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq").replace("~", "\\(ti").replace("^", "\\(ha")
+    text = text.replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq")
+    text = text.replace("~", "\\(ti").replace("^", "\\(ha")
     return "\n".join("\\&" + line if line.startswith((".", "\\(aq")) else line for line in text.splitlines())
 
 

@@ -14,7 +14,8 @@ ARGUMENTS = argparse.Namespace()
 TYPICAL = {
     "core": ["libepcc_core.so", "plane_extractor.h", "epcc_core.pc", "epcc_segmentationConfig.cmake"],
     "geometry": ["libepcc_geometry.so", "surface_mesh.h", "epcc_geometry.pc", "epcc_geometryTargets.cmake"],
-    "pcl": ["libepcc_segmentation.so", "epcc_segmentation.hpp", "epcc_segmentation.pc", "epcc_segmentationTargets.cmake"],
+    "pcl": ["libepcc_segmentation.so", "epcc_segmentation.hpp", "epcc_segmentation.pc",
+            "epcc_segmentationTargets.cmake"],
     "python": ["__init__.py", "__init__.pyi", "py.typed"],
     "tools": ["epcc_segment", "epcc_eval", "epcc_segment.1.gz"],
     "viewer": ["epcc_view", "epcc_view.1.gz"],
@@ -70,7 +71,8 @@ class Components(unittest.TestCase):
         if "tools" not in self.parts:
             self.skipTest("without the tools")
         for name in ("epcc_segment", "epcc_eval"):
-            subprocess.run([ARGUMENTS.work / "everything/bin" / name, "--version"], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run([ARGUMENTS.work / "everything/bin" / name, "--version"], check=True,
+                           stdout=subprocess.DEVNULL)
         shown = subprocess.run(["readelf", "-d", ARGUMENTS.work / "everything/bin/epcc_segment"], check=True,
                                stdout=subprocess.PIPE, text=True).stdout
         self.assertNotIn(str(ARGUMENTS.build), shown)

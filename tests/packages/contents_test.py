@@ -28,7 +28,8 @@ class Package:
         self.archive = tarfile.open(fileobj=io.BytesIO(dpkg_deb("--fsys-tarfile", path)))
         self.entries = {entry.name[1:]: entry for entry in self.archive if not entry.isdir()}
         control = tarfile.open(fileobj=io.BytesIO(dpkg_deb("--ctrl-tarfile", path)))
-        self.control = {entry.name[2:]: control.extractfile(entry).read().decode() for entry in control if entry.isfile()}
+        self.control = {entry.name[2:]: control.extractfile(entry).read().decode()
+                        for entry in control if entry.isfile()}
 
     def depends(self):
         return {part.split()[0]: part for part in self.fields.get("Depends", "").split(", ") if part}
@@ -98,7 +99,8 @@ class Contents(unittest.TestCase):
                 self.assertEqual(shared, {f"libepcc_{library}.so.{self.abi}", f"libepcc_{library}.so.{self.abi}.0"})
                 self.assertFalse([name for name in development.entries if ".so." in name])
                 names = {Path(name).name for name in development.entries}
-                self.assertLessEqual({f"libepcc_{library}.so", f"epcc_{library}.pc", f"epcc_{library}Targets.cmake"}, names)
+                self.assertLessEqual({f"libepcc_{library}.so", f"epcc_{library}.pc", f"epcc_{library}Targets.cmake"},
+                                     names)
                 self.assertTrue([name for name in names if name.endswith(".h")])
                 self.assertEqual(development.depends()[runtime.name], f"{runtime.name} (= {self.version})")
                 self.assertEqual(runtime.control["shlibs"].split()[:3], [f"libepcc_{library}", self.abi, runtime.name])
@@ -139,8 +141,8 @@ class Contents(unittest.TestCase):
             script = package.read(f"/usr/share/bash-completion/completions/{program}").decode()
             self.assertIn(f"complete -F _{program} {program}", script)
             self.assertIn(f"/usr/bin/{program}", package.entries)
-        self.assertEqual(sum(name.startswith("/usr/bin/") for package in self.packages.values() for name in package.entries),
-                         len(programs))
+        names = [name for package in self.packages.values() for name in package.entries]
+        self.assertEqual(sum(name.startswith("/usr/bin/") for name in names), len(programs))
 
     def test_python_module_is_compiled_and_cleaned_by_debian_s_means(self):
         package = self.packages["python3-epcc"]
@@ -164,6 +166,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--prefix", default="/usr", help="CMAKE_INSTALL_PREFIX of the build")
-    parser.add_argument("--without", nargs="*", default=[], metavar="PACKAGE", help="packages that the build leaves out")
+    parser.add_argument("--without", nargs="*", default=[], metavar="PACKAGE",
+                        help="packages that the build leaves out")
     parser.parse_args(namespace=ARGUMENTS)
     unittest.main(argv=sys.argv[:1])

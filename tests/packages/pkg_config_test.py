@@ -52,7 +52,7 @@ class PkgConfig(unittest.TestCase):
         self.assertRegex(version, r"^\d+\.\d+\.\d+$")
 
     def test_static(self):
-        """A static build of the libraries, whose archives are not compiled anew: the shared ones have the same objects."""
+        """A static build of the libraries; its archives are made of the objects of the shared ones."""
         build, prefix = ARGUMENTS.work / "static_build", ARGUMENTS.work / "static"
         libraries = [name for name in ARGUMENTS.libraries if name != "pcl"]
         run("cmake", "-S", ARGUMENTS.source, "-B", build, "-G", ARGUMENTS.generator, "-DCMAKE_BUILD_TYPE=Release",
@@ -68,8 +68,8 @@ class PkgConfig(unittest.TestCase):
             linked = run("ldd", ARGUMENTS.work / "programs/use_core")
             self.assertNotIn("libepcc", linked)
         for library in libraries:
-            run("cmake", "-S", HERE.parent / "install_consumer/program", "-B", ARGUMENTS.work / f"cmake_{library}", "-G",
-                ARGUMENTS.generator, f"-DCMAKE_PREFIX_PATH={prefix}", f"-DEPCC_COMPONENT={library}")
+            run("cmake", "-S", HERE.parent / "install_consumer/program", "-B", ARGUMENTS.work / f"cmake_{library}",
+                "-G", ARGUMENTS.generator, f"-DCMAKE_PREFIX_PATH={prefix}", f"-DEPCC_COMPONENT={library}")
             run("cmake", "--build", ARGUMENTS.work / f"cmake_{library}")
             run(ARGUMENTS.work / f"cmake_{library}/use_{library}")
 

@@ -20,7 +20,8 @@ for program in epcc_compare epcc_eval epcc_lines epcc_noise epcc_scene epcc_segm
   expect "$program --version" "$program" --version
   grep -qE "^$program [0-9]+\.[0-9]+\.[0-9]+$" log
   expect "$program has a page" test -s "/usr/share/man/man1/$program.1.gz"
-  expect "$program is completed" bash -c "source /usr/share/bash-completion/completions/$program && complete -p $program"
+  expect "$program is completed" \
+    bash -c "source /usr/share/bash-completion/completions/$program && complete -p $program"
 done
 
 expect "frames" epcc_scene a --noise stereo --count 2 --out scenes
@@ -48,7 +49,8 @@ import epcc
 import numpy
 
 rows = (numpy.arange(120) - 59.5) / 130
-depth = numpy.repeat(numpy.where(rows > 0.3, 0.6 / numpy.maximum(rows, 0.01), 2.0).astype(numpy.float32)[:, None], 160, 1)
+column = numpy.where(rows > 0.3, 0.6 / numpy.maximum(rows, 0.01), 2.0).astype(numpy.float32)
+depth = numpy.repeat(column[:, None], 160, 1)
 result = epcc.segment(depth, epcc.PinholeCamera(width=160, height=120, fx=130, fy=130, cx=79.5, cy=59.5))
 assert len(result.planes) == 2 and result.labels.shape == (120, 160), result
 assert epcc.__file__.startswith("/usr/lib/python3/dist-packages/"), epcc.__file__

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What man pages and completion are made of: help texts as CLI11 prints them, with all that it puts into them, and those
-that are refused."""
+"""What man pages and completion are made of: help texts as CLI11 prints them, with all that it puts into them, and
+those that are refused."""
 import sys
 import unittest
 
@@ -48,7 +48,8 @@ class HelpText(unittest.TestCase):
     def test_entries(self):
         self.assertEqual(self.entries["--help"].names, ["-h", "--help"])
         self.assertEqual(self.entries["--jobs"], Entry(["--jobs"], "J", "Threads (1)", ["0 to 1024."]))
-        self.assertEqual(self.entries["--count"], Entry(["--count"], "N", "number of them", ["Not together with --seeds."]))
+        self.assertEqual(self.entries["--count"], Entry(["--count"], "N", "number of them",
+                                                            ["Not together with --seeds."]))
         self.assertEqual(self.entries["--seeds"].text, "both included")
         self.assertEqual(self.entries["--seeds"].notes, ["Not together with --count, --jobs."])
         self.assertEqual(self.entries["--k-max"], Entry(["--k-max"], "F", "Gate", ["Default: 2."]))
@@ -58,8 +59,10 @@ class HelpText(unittest.TestCase):
 
     def test_texts(self):
         self.assertEqual(self.command.in_one_line(), "Does this and that to files")
-        self.assertEqual(self.command.exit_codes(), [("0", "done"), ("2", "wrong usage (see above)"), ("3", "not read")])
-        self.assertEqual(self.command.remarks(), ["PRESET is one of red, blue,\ngreen-blue.", "EPCC_THING=5 changes a thing."])
+        self.assertEqual(self.command.exit_codes(), [("0", "done"), ("2", "wrong usage (see above)"),
+                                                     ("3", "not read")])
+        self.assertEqual(self.command.remarks(), ["PRESET is one of red, blue,\ngreen-blue.",
+                                                  "EPCC_THING=5 changes a thing."])
 
     def test_what_is_no_help_is_refused(self):
         for text in ("", "tool: broken\n", "Usage: tool\n", "Usage: tool\n  --stray  option\n",
@@ -77,7 +80,8 @@ class Words(unittest.TestCase):
         self.assertEqual(actions_of(kind, words, "tool"),
                          ["_epcc_words near far red blue green-blue poly:", "_epcc_files json"])
         self.assertEqual(alternatives("no choice at all"), [])
-        self.assertEqual(typed_words(["white:PRESET", "X", "A,B"], words), ["white:red", "white:blue", "white:green-blue"])
+        self.assertEqual(typed_words(["white:PRESET", "X", "A,B"], words),
+                         ["white:red", "white:blue", "white:green-blue"])
 
     def test_files_and_folders(self):
         def actions(name, value, text):
