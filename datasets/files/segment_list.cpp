@@ -11,7 +11,8 @@ namespace {
 
 constexpr const char* kHeading =
     "scan,line,first_px,last_px,samples,label,start_x_m,start_y_m,start_z_m,end_x_m,end_y_m,end_z_m,"
-    "mean_t1_m,mean_t2_m,var_t1_m2,cov_t1_t2_m2,var_t2_m2,residual_var_m2\n";
+    "mean_t1_m,mean_t2_m,var_t1_m2,cov_t1_t2_m2,var_t2_m2,residual_var_m2,"
+    "theta1_per_m,theta2_per_m,var_theta1_per_m2,cov_theta1_theta2_per_m2,var_theta2_per_m2\n";
 
 /// The shortest text that reads back as the same number, whatever the locale.
 template <typename Number>
@@ -33,6 +34,11 @@ void append(const LineSegment& segment, std::string& text) {
   append(segment.covariance(0, 1), text);
   append(segment.covariance(1, 1), text);
   append(segment.variance, text);
+  append(segment.theta(0), text);
+  append(segment.theta(1), text);
+  append(segment.theta_covariance(0, 0), text);
+  append(segment.theta_covariance(0, 1), text);
+  append(segment.theta_covariance(1, 1), text);
   text += '\n';
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// epcc.segment(), epcc.PlaneExtractor over a stream, and epcc.fit_planes().
+// epcc.segment(), epcc.PlaneExtractor over a stream, epcc.fit_planes() and epcc.fit_lines().
 #include <pybind11/stl.h>
 
 #include <algorithm>
 
 #include "arrays.h"
 #include "bindings.h"
+#include "epcc_segmentation/line_fit.h"
 #include "epcc_segmentation/plane_fit.h"
 #include "epcc_segmentation/sensor_estimation.h"
 #include "errors.h"
@@ -73,7 +74,10 @@ std::unique_ptr<Segmentation> segment(const py::object& data, const Camera& came
   return Extractor(parameters, sensor).extract(data, camera, depth_scale);
 }
 
-std::unique_ptr<Segmentation> fit(const ArrayFrame& frame, const py::object& sensor, const py::array& label_array) {
+/// The frame with these labels, and what `fill` makes of them with the sensor.
+template <typename Fill>
+std::unique_ptr<Segmentation> labelled(const ArrayFrame& frame, const py::object& sensor, const py::array& label_array,
+                                       const Fill& fill) {
   const py::array_t<std::int32_t> labels = labelImage(label_array);
   if (labels.shape(0) != frame.frame.height() || labels.shape(1) != frame.frame.width())
     throwStatus(Status::SizeMismatch, "the labels' shape " + shapeText(labels) + " is not that of the frame");
@@ -84,9 +88,21 @@ std::unique_ptr<Segmentation> fit(const ArrayFrame& frame, const py::object& sen
   data.width = frame.frame.width();
   data.height = frame.frame.height();
   data.labels.assign(labels.data(), labels.data() + labels.size());
-  const std::int32_t largest = *std::max_element(data.labels.begin(), data.labels.end());
-  fitPlanes(frame.frame, *model, std::max(0, largest), data);
+  fill(*model, data);
   return std::unique_ptr<Segmentation>(new Segmentation{std::move(data), *model, StageTimes(), frame.geometry});
+}
+
+std::unique_ptr<Segmentation> fit(const ArrayFrame& frame, const py::object& sensor, const py::array& labels) {
+  return labelled(frame, sensor, labels, [&](const SensorModel& model, PlaneSegmentation& data) {
+    const std::int32_t largest = *std::max_element(data.labels.begin(), data.labels.end());
+    fitPlanes(frame.frame, model, std::max(0, largest), data);
+  });
+}
+
+std::unique_ptr<Segmentation> fitSegments(const ArrayFrame& frame, const py::object& sensor, const py::array& labels) {
+  return labelled(frame, sensor, labels, [&](const SensorModel& model, PlaneSegmentation& data) {
+    fitLines(frame.frame, model, ScanDirection::Both, data);
+  });
 }
 
 }  // namespace
@@ -126,6 +142,10 @@ frames keep a PlaneExtractor.)");
 frame: DepthFrame; sensor: as segment(); labels: H x W integers, 0 and below for no plane, of any program.
 Orthogonal least squares, each point weighted by 1 / sigma_z^2. The planes, and the labels with them, are sorted by
 pixel count, and labels without pixels dropped.)");
+  module.def("fit_lines", &fitSegments, "frame"_a, "sensor"_a, "labels"_a, R"(Line segments of labelled pixels.
+
+frame, sensor, labels: as fit_planes(). What is in sequence of one label in a column or a row, three measured pixels at
+least, is one of the result's `segments`; those of all columns, then those of all rows. It has no planes.)");
 }
 
 }  // namespace epcc::python

@@ -48,6 +48,8 @@ py::dtype segmentType() {
   add("mean", "(2,)f8", &s.mean);
   add("covariance", "(2,2)f8", &s.covariance);
   add("variance", "f8", &s.variance);
+  add("theta", "(2,)f8", &s.theta);
+  add("theta_covariance", "(2,2)f8", &s.theta_covariance);
   return {names, formats, offsets, static_cast<py::ssize_t>(sizeof(LineSegment))};
 }
 
@@ -104,14 +106,17 @@ void bindSegmentation(py::module_& module) {
 
 A view on the result's memory, without a copy.)")
       .def_property_readonly("planes", &planes, "The planes, a list of Plane, the one of most pixels first.")
-      .def_property_readonly("segments", &segments, R"(Line segments, if Parameters.line_segments asks for them.
+      .def_property_readonly("segments", &segments,
+                             R"(Line segments, if Parameters.line_segments asks for them; those of fit_lines().
 
 A structured array, a view without a copy; those of the columns, then those of the rows. Fields:
 scan: 0 a part of an image column, 1 of a row; line: which column or row.
 first, last: rows or columns in it of the first and the last sample; samples: how many it took.
 label: 0 or the plane, as in labels.
 start, end: first and last sample on the line, 3 metres in the sensor's frame.
-mean, covariance, variance: of the samples (t1, t2) in the section, metres and m^2, see LineSegment in C++.)")
+mean, covariance, variance: of the samples (t1, t2) in the section, metres and m^2, see LineSegment in C++.
+theta, theta_covariance: the line theta . (t1, t2) = 1, 1/m, and its covariance, 1/m^2, 0 if it is not known. The
+  error is taken to be correlated along the scan line as it was measured, or as the sensor's model says.)")
       .def("contours", &contours, "label"_a, "Borders of the plane with this label, as trace_contours(labels, label).")
       .def("all_contours", &allContours, "Borders of all planes in one pass: [k] holds those of planes[k].")
       .def_readonly("sensor", &Segmentation::sensor, "The SensorModel that was used: measured, or adapted (S0).")

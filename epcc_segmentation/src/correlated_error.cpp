@@ -10,6 +10,7 @@ namespace epcc {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kReach = 4.0;  // lengths to where no correlation is left
 
 /// Shares of sqrt(2 pi) l that remain of the integral of R over a side, x = side / l:
 /// with weight 1 - t/x of pairs t apart for an offset, 1 - 3 t/x + 2 (t/x)^3 for a slope.
@@ -38,6 +39,34 @@ SamplesPerIndependent samplesPerIndependent(const ErrorCorrelation& error, doubl
   const auto samples = [&](double kept) { return (1.0 - error.share) + error.share * std::max(1.0, all * kept); };
   return {samples(across_long.offset * across_short.offset), samples(across_long.slope * across_short.offset),
           samples(across_long.offset * across_short.slope)};
+}
+
+std::vector<double> autocorrelation(const ErrorCorrelation& error, int stride) {
+  std::vector<double> correlation = {1.0};
+  if (!(error.share > 0.0) || !(error.length > 0.0)) return correlation;
+  const double reach = kReach * error.length / stride;
+  for (int k = 1; k <= reach; ++k) {
+    const double x = k * stride / error.length;
+    correlation.push_back(error.share * std::exp(-0.5 * x * x));
+  }
+  return correlation;
+}
+
+// Of two samples k places apart, n - k pairs are on the line, of which as many are there as samples are on places; for
+// a slope the products of their places about the middle are summed: m (m^2 - 1)/12 - m k^2/4, m = n - k.
+LineSamplesPerIndependent lineSamplesPerIndependent(const std::vector<double>& correlation, int samples, int places) {
+  LineSamplesPerIndependent result = {1.0, 1.0, 1.0};
+  const double n = places, taken = samples / n;
+  const double of_slope = n * (n * n - 1.0);
+  for (std::size_t k = 1; k < correlation.size() && k < static_cast<std::size_t>(places); ++k) {
+    const auto lag = static_cast<double>(k);
+    const double rest = n - lag;
+    const double pairs = 2.0 * taken * correlation[k];
+    result.offset += pairs * rest / n;
+    result.slope += pairs * rest * (rest * rest - 1.0 - 3.0 * lag * lag) / of_slope;
+    result.square += pairs * correlation[k] * rest / n;
+  }
+  return result;
 }
 
 }  // namespace epcc

@@ -2,6 +2,8 @@
 // How much less the samples of a patch say of its plane than as many independent ones, for their errors are alike.
 #pragma once
 
+#include <vector>
+
 #include "epcc_segmentation/sensor_model.h"
 
 namespace epcc {
@@ -34,5 +36,19 @@ struct SamplesPerIndependent {
 /// is nearly the same all over it.
 SamplesPerIndependent samplesPerIndependent(const ErrorCorrelation& error, double long_side, double short_side,
                                             int stride);
+
+/// Correlation of the errors of samples 0, 1, 2, ... strides apart, as far as there is any.
+std::vector<double> autocorrelation(const ErrorCorrelation& error, int stride);
+
+/// The same for a line's two parameters, and for the mean square of its residuals.
+struct LineSamplesPerIndependent {
+  double offset;  ///< of the line's middle
+  double slope;   ///< about it
+  double square;  ///< of squared errors
+};
+
+/// Of a line with `samples` samples spread over `places` strides, the sums themselves: a line is often shorter than
+/// the correlation reaches, and a slope then errs less than with as many independent samples.
+LineSamplesPerIndependent lineSamplesPerIndependent(const std::vector<double>& correlation, int samples, int places);
 
 }  // namespace epcc

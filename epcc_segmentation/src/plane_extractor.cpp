@@ -15,6 +15,7 @@
 #include "inverse_depth/scattered_pixels.h"
 #include "metric/metric_pipeline.h"
 #include "plane_fit_samples.h"
+#include "segment_fit.h"
 #include "sensor/frame_doubts.h"
 #include "sensor/sensor_adaptation.h"
 
@@ -74,6 +75,7 @@ struct PlaneExtractor::Workspace {
   MetricPipeline metric;
   InverseDepthPipeline inverse_depth;
   PlaneFitter fitter;
+  std::optional<ErrorCorrelation> measured_error;  // of this frame's sensor
 };
 
 PlaneExtractor::PlaneExtractor(const Parameters& parameters, const std::optional<SensorModel>& sensor)
@@ -128,12 +130,15 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
 
 void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result) {
   const bool paper = parameters_.mode == Mode::Paper;
+  workspace_->measured_error.reset();
   if (!paper || measures_sensor_) result.doubts.bytes_are_swapped = bytesAreSwapped(frame.wholeNumbers());
   const int count = paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
   const FitSamples samples = paper ? FitSamples{1, 0, false} : workspace_->inverse_depth.fitSamples();
   StopWatch watch;
+  const ErrorCorrelation error = workspace_->measured_error.value_or(ErrorCorrelation::of(sensor_));
+  workspace_->fitter.lendErrorCorrelation(error);
   workspace_->fitter.fit(frame, sensor_, count, samples, parameters_.threads, result);
-  if (parameters_.line_segments) listSegments(frame, result);
+  if (parameters_.line_segments) listSegments(frame, error, result);
   times_.result += watch.lap();
 }
 
@@ -197,17 +202,20 @@ void PlaneExtractor::adaptSensor(const InverseDepthImage& image, Doubts& doubts)
   const SensorEstimate measured = workspace_->estimator.update(image);
   sensor_ = measures_sensor_ ? measured.model() : adapted(given_sensor_, measured, image, workspace_->ratios);
   if (measures_sensor_ && measured.blocks > 0)
-    workspace_->fitter.lendErrorCorrelation({measured.blotch_share, measured.blotch_length});
+    workspace_->measured_error = ErrorCorrelation{measured.blotch_share, measured.blotch_length};
   const bool may_be_generic = measures_sensor_ && measured.blocks == 0;
   doubts.sensor_is_generic = may_be_generic && workspace_->scattered.validShare() > 0.0;
   doubts.error_share = errorShare(image, measured, workspace_->ratios);
 }
 
-void PlaneExtractor::listSegments(const DepthFrame& frame, PlaneSegmentation& result) const {
+void PlaneExtractor::listSegments(const DepthFrame& frame, const ErrorCorrelation& error,
+                                  PlaneSegmentation& result) const {
+  SegmentFitter fitter(sensor_, error);
   if (parameters_.mode == Mode::Paper)
-    workspace_->metric.listSegments(scanView(frame, parameters_.scan), result.labels, result.segments);
+    workspace_->metric.listSegments(scanView(frame, parameters_.scan), result.labels, fitter, result.segments);
   else
-    workspace_->inverse_depth.listSegments(frame, result.labels, result.segments);
+    workspace_->inverse_depth.listSegments(frame, result.labels, fitter, result.segments);
+  fitter.finish(result.segments.data());
 }
 
 // The paper mode has no use for the inverse depths but this.

@@ -35,6 +35,23 @@ TEST(CorrelatedError, IsWorthWhatAllPairsOfPixelsSay) {
     }
 }
 
+TEST(CorrelatedError, ALineIsWorthWhatAllPairsOfItsSamplesSay) {
+  for (const double length : {0.4, 1.5, 4.0, 9.0})
+    for (const int samples : {3, 6, 20, 100}) {
+      const auto correlation = autocorrelation({1.0, length}, 1);
+      const LineSamplesPerIndependent worth = lineSamplesPerIndependent(correlation, samples, samples);
+      EXPECT_NEAR(worth.offset / pairSum(samples, length, false), 1.0, 1e-3) << samples << " " << length;
+      EXPECT_NEAR(worth.slope / pairSum(samples, length, true), 1.0, 0.02) << samples << " " << length;
+      EXPECT_NEAR(worth.square / pairSum(samples, length / std::sqrt(2.0), false), 1.0, 1e-3);
+    }
+  // A sample at every second pixel, and half of the error grain.
+  const LineSamplesPerIndependent sparse = lineSamplesPerIndependent(autocorrelation({0.5, 4.0}, 2), 50, 50);
+  EXPECT_NEAR(sparse.offset, 0.5 + 0.5 * pairSum(50, 2.0, false), 1e-3);
+  // Half of the samples taken leave half of the pairs.
+  const LineSamplesPerIndependent half = lineSamplesPerIndependent(autocorrelation({1.0, 4.0}, 1), 50, 100);
+  EXPECT_NEAR(half.offset - 1.0, 0.5 * (pairSum(100, 4.0, false) - 1.0), 1e-3);
+}
+
 TEST(CorrelatedError, GrainIsWorthItsNumberOfSamples) {
   for (const ErrorCorrelation& grain : {ErrorCorrelation{}, ErrorCorrelation{0.0, 5.0}, ErrorCorrelation{1.0, 0.0}}) {
     const SamplesPerIndependent samples = samplesPerIndependent(grain, 100.0, 50.0, 2);

@@ -284,8 +284,9 @@ std::int32_t labelOf(const std::vector<std::int32_t>& labels) {
   const std::vector<float> depth{2.0f, 2.001f, 2.5f, 2.0f, 2.001f, 2.0f};
   const std::vector<std::int32_t> segment_of{0, 0, -1, 0, 0, 0};
   std::vector<LineSegment> segments;
+  epcc::SegmentFitter fitter(kSensor, epcc::ErrorCorrelation::of(kSensor));
   epcc::appendSegments(DepthFrame::fromDepth(depth.data(), {1, 6, 100.0, 100.0, 0.0, 2.5}), kSensor,
-                       {segment_of.data(), 1, 1}, labels, segments);
+                       {segment_of.data(), 1, 1}, labels, fitter, segments);
   EXPECT_EQ(segments.size(), 1u);
   EXPECT_EQ(segments[0].samples, 5);
   EXPECT_EQ(segments[0].last, 5);

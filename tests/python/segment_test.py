@@ -116,6 +116,9 @@ def test_line_segments_are_a_structured_array(camera, depth):
     assert wall["mean"][0] == pytest.approx(numpy.hypot(middle[0], middle[2]), abs=0.05)
     assert wall["mean"][1] == pytest.approx(middle[1], abs=0.1)
     assert wall["covariance"].shape == (2, 2) and wall["variance"] < 1e-3
+    # theta . (t1, t2) = 1 on the line, with a covariance for which 1/theta . ray is known to millimetres there.
+    assert wall["theta"] @ wall["mean"] == pytest.approx(1.0, abs=1e-2)
+    assert 0.0 < numpy.sqrt(wall["mean"] @ wall["theta_covariance"] @ wall["mean"]) < 1e-2
 
 
 def test_times_and_sensor_are_told(camera, depth):
@@ -147,6 +150,21 @@ def test_labels_of_others_get_their_planes(camera, depth):
     assert numpy.array_equal(fitted.labels, found.labels)
     with pytest.raises(epcc.InputError, match="not that of the frame"):
         epcc.fit_planes(frame, None, labels[1:])
+
+
+def test_labels_of_others_get_their_lines(camera, depth):
+    frame = epcc.DepthFrame.from_depth(depth, camera)
+    labels = numpy.zeros(depth.shape, numpy.uint8)
+    labels[20:60, 10:13] = 4
+    fitted = epcc.fit_lines(frame, None, labels)
+    assert len(fitted.planes) == 0 and numpy.array_equal(fitted.labels, labels)
+    segments = fitted.segments
+    assert [numpy.count_nonzero(segments["scan"] == scan) for scan in (0, 1)] == [3, 40]
+    assert set(segments["line"][:3]) == {10, 11, 12} and set(segments["label"]) == {4}
+    assert numpy.all(segments["first"][:3] == 20) and numpy.all(segments["last"][:3] == 59)
+    assert numpy.all(numpy.linalg.eigvalsh(segments["theta_covariance"]) > 0.0)
+    with pytest.raises(epcc.InputError, match="not that of the frame"):
+        epcc.fit_lines(frame, None, labels[1:])
 
 
 def test_doubts_are_fields_and_words(camera, depth):

@@ -2,6 +2,7 @@
 // A line segment of the image's sections, the paper's list M: what Algorithm 1, or S1, finds in one scan line.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "epcc_segmentation/parameters.h"
@@ -38,6 +39,28 @@ struct LineSegment {
   /// takes each distance before the line has learnt from it; inverse-depth mode: the smaller eigenvalue of
   /// `covariance`.
   double variance = 0.0;
+  /// The line theta . (t1, t2) = 1 that is likeliest to have given the samples along their rays, 1/m: the normal that
+  /// points away from the sensor, divided by the distance from it, so that theta . ray is the inverse depth of a pixel.
+  /// Nearly the line through `mean` along the main axis of `covariance`, to which the ends are projected; but that one
+  /// is drawn to the near where errors are large and seen at a slant.
+  Vector2 theta = Vector2::Zero();
+  /// Covariance of theta, 1/m^2: the inverse depth at a ray errs by ray . theta_covariance . ray. From the size of the
+  /// residuals, the segment's own and those of the frame's planes, and from how far the error is correlated along the
+  /// scan line (docs/research/uncertainty.md). 0 if it is not known: fewer than three samples, or a line of sight.
+  Matrix2 theta_covariance = Matrix2::Zero();
+
+  /// The line as t1 cos(alpha) + t2 sin(alpha) = rho: alpha rad, (-pi, pi], rho metres.
+  double alpha() const { return std::atan2(theta(1), theta(0)); }
+  double rho() const { return 1.0 / theta.norm(); }
+  /// Of (alpha, rho): rad^2, rad m, m^2, to first order. A segment of a few pixels is turned so easily that theta,
+  /// which the measurements are linear in, is Gaussian, but these two are not.
+  Matrix2 alphaRhoCovariance() const {
+    const double r = rho();
+    Matrix2 jacobian;
+    jacobian << -theta(1), theta(0), -theta(0) * r, -theta(1) * r;
+    jacobian *= r * r;
+    return jacobian * theta_covariance * jacobian.transpose();
+  }
 
   /// Row of the pixel at a place in the scan line, first to last.
   int row(int position) const { return scan == ScanDirection::Columns ? position : line; }
@@ -45,6 +68,6 @@ struct LineSegment {
   int column(int position) const { return scan == ScanDirection::Columns ? line : position; }
 };
 
-static_assert(sizeof(LineSegment) == 128 && alignof(LineSegment) == alignof(double), "one layout for all flags");
+static_assert(sizeof(LineSegment) == 176 && alignof(LineSegment) == alignof(double), "one layout for all flags");
 
 }  // namespace epcc

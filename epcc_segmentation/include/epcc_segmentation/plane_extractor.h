@@ -15,6 +15,8 @@
 
 namespace epcc {
 
+struct ErrorCorrelation;  // internal: how far the sensor's error is alike
+
 /// Wall-clock seconds of the last extraction, by stage.
 struct StageTimes {
   double read = 0.0;     ///< depth -> inverse depth (inverse-depth mode, or where the sensor was measured)
@@ -82,7 +84,7 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   int extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result);
   void adaptSensor(const InverseDepthImage& image, Doubts& doubts);
   void measureSensor(const DepthFrame& frame, Doubts& doubts);
-  void listSegments(const DepthFrame& frame, PlaneSegmentation& result) const;
+  void listSegments(const DepthFrame& frame, const ErrorCorrelation& error, PlaneSegmentation& result) const;
 
   Parameters parameters_;
   SensorModel given_sensor_;

@@ -127,16 +127,16 @@ FitSamples InverseDepthPipeline::fitSamples() const {
 }
 
 void InverseDepthPipeline::listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,
-                                        std::vector<LineSegment>& segments) const {
+                                        SegmentFitter& fitter, std::vector<LineSegment>& segments) const {
   const auto width = static_cast<std::size_t>(image_->width);
   const std::int32_t* pixels = scattered_ != nullptr ? scattered_->samplePixels().data() : nullptr;
   const auto numbers = [this](std::size_t direction) { return directions_[direction].lines().segmentOf().data(); };
   if (directions_[0].active())
-    appendSegments(frame, sensor_, {numbers(0), 1, width, steps_, pixels, frame.width(), 1}, labels, segments);
+    appendSegments(frame, sensor_, {numbers(0), 1, width, steps_, pixels, frame.width(), 1}, labels, fitter, segments);
   if (directions_[1].active())
     appendSegments(frame.transposed(), sensor_,
                    {numbers(1), width, 1, GridSteps(steps_.along, steps_.across), pixels, 1, frame.width()}, labels,
-                   segments);
+                   fitter, segments);
 }
 
 }  // namespace epcc

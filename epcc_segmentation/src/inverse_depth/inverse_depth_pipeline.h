@@ -22,6 +22,7 @@
 #include "inverse_depth/scattered_pixels.h"
 #include "inverse_depth/thickness.h"
 #include "plane_fit_samples.h"
+#include "segment_fit.h"
 
 namespace epcc {
 
@@ -58,7 +59,7 @@ class InverseDepthPipeline {
   const double* confidence() const { return map_.confidence.data(); }
   /// The line segments of S1, columns first. `frame` is the one that was read, `labels` the final ones, in the order of
   /// the caller's arrays.
-  void listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,
+  void listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels, SegmentFitter& fitter,
                     std::vector<LineSegment>& segments) const;
 
  private:

@@ -40,14 +40,12 @@ class LabelVotes {
 
 /// What is known of one segment.
 struct GatheredSegment {
-  const ScanSample* first = nullptr;
-  const ScanSample* last = nullptr;
+  std::vector<const ScanSample*> samples;
   LinePrototype prototype;
   LabelVotes votes;
 
   void add(const ScanSample& sample, std::int32_t label) {
-    if (first == nullptr) first = &sample;
-    last = &sample;
+    samples.push_back(&sample);
     prototype.statistics.add(sample.t);
     votes.add(label);
   }
@@ -55,11 +53,12 @@ struct GatheredSegment {
     prototype.normal = smallestEigenvector(prototype.statistics.covariance);
     prototype.resetVariance();
     ClusteredLine line;
-    line.first = first->position;
-    line.last = last->position;
+    const ScanSample &first = *samples.front(), &last = *samples.back();
+    line.first = first.position;
+    line.last = last.position;
     line.prototype = prototype;
-    line.a = scan_line.lift(prototype.project(first->t));
-    line.b = scan_line.lift(prototype.project(last->t));
+    line.a = scan_line.lift(prototype.project(first.t));
+    line.b = scan_line.lift(prototype.project(last.t));
     return line;
   }
 };
@@ -104,17 +103,20 @@ void readGridColumn(const DepthFrame& view, const SensorModel& sensor, const Seg
 }  // namespace
 
 void appendSegments(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& segment_of,
-                    const std::vector<std::int32_t>& labels, std::vector<LineSegment>& segments) {
+                    const std::vector<std::int32_t>& labels, SegmentFitter& fitter,
+                    std::vector<LineSegment>& segments) {
   ScanLine line;
   std::vector<GridSample> samples;
   const int columns = sampleCount(view.width(), segment_of.steps.across);
+  fitter.setStride(segment_of.steps.along);
   for (int grid_column = 0; grid_column < columns; ++grid_column) {
     readGridColumn(view, sensor, segment_of, grid_column, line, samples);
     GatheredSegment segment;
     int column = 0;  // of its first sample
     const auto finish = [&] {
-      if (segment.first == nullptr) return;
+      if (segment.samples.empty()) return;
       segments.push_back(lineSegmentOf(view, column, segment.lineIn(line)));
+      fitter.fit(segment.samples, segments.back());
       segments.back().label = segment.votes.winner();
       segment = GatheredSegment();
     };

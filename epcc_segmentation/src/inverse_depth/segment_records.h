@@ -10,6 +10,7 @@
 #include "epcc_segmentation/line_segment.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "inverse_depth/grid_steps.h"
+#include "segment_fit.h"
 
 namespace epcc {
 
@@ -31,8 +32,8 @@ struct SegmentNumbers {
 };
 
 /// Appends the segments of those columns of the view that are scan lines of the grid. `labels` are the final ones, in
-/// the order of the caller's arrays.
+/// the order of the caller's arrays. Each is given to `fitter`, which is to finish them.
 void appendSegments(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& segment_of,
-                    const std::vector<std::int32_t>& labels, std::vector<LineSegment>& segments);
+                    const std::vector<std::int32_t>& labels, SegmentFitter& fitter, std::vector<LineSegment>& segments);
 
 }  // namespace epcc

@@ -102,8 +102,10 @@ int MetricPipeline::numberPlanes() {
 
 // Their statistics and ends again in double precision, from the samples that they took.
 void MetricPipeline::listSegments(const DepthFrame& view, const std::vector<std::int32_t>& labels,
-                                  std::vector<LineSegment>& segments) const {
+                                  SegmentFitter& fitter, std::vector<LineSegment>& segments) const {
   ScanLine scan_line;
+  std::vector<const ScanSample*> samples;
+  fitter.setStride(1);
   for (int column = 0; column < view.width(); ++column) {
     readScanLine(view, sensor_, column, scan_line);
     const auto& lines = line_segments_[static_cast<std::size_t>(column)];
@@ -112,20 +114,21 @@ void MetricPipeline::listSegments(const DepthFrame& view, const std::vector<std:
       ClusteredLine line = lines[k];
       LinePrototype& p = line.prototype;
       p.statistics = RecursiveStatistics<2>();
-      Eigen::Vector2d first = Eigen::Vector2d::Zero(), last = first;
+      samples.clear();
       for (; sample != scan_line.samples.end() && sample->position <= line.last; ++sample) {
         if (numbers_[static_cast<std::size_t>(sample->position) * numberStride() + static_cast<std::size_t>(column)] !=
             numberOf(column, k))
           continue;
         p.statistics.add(sample->t);
-        if (sample->position == line.first) first = sample->t;
-        last = sample->t;
+        samples.push_back(&*sample);
       }
+      if (samples.empty()) continue;
       p.normal = smallestEigenvector(p.statistics.covariance);
-      line.a = scan_line.lift(p.project(first));
-      line.b = scan_line.lift(p.project(last));
+      line.a = scan_line.lift(p.project(samples.front()->t));
+      line.b = scan_line.lift(p.project(samples.back()->t));
       segments.push_back(lineSegmentOf(view, column, line));
       segments.back().label = labels[view.index(line.first, column)];  // all of its pixels have it
+      fitter.fit(samples, segments.back());
     }
   }
 }

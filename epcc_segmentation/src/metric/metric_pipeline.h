@@ -15,6 +15,7 @@
 #include "metric/plane_clustering.h"
 #include "metric/scan_strips.h"
 #include "metric/strip_lines.h"
+#include "segment_fit.h"
 
 namespace epcc {
 
@@ -33,7 +34,7 @@ class MetricPipeline {
   /// Returns the number of planes.
   int labelPixels(const DepthFrame& view, std::vector<std::int32_t>& labels);
   /// All line segments with the labels that their pixels have in the end.
-  void listSegments(const DepthFrame& view, const std::vector<std::int32_t>& labels,
+  void listSegments(const DepthFrame& view, const std::vector<std::int32_t>& labels, SegmentFitter& fitter,
                     std::vector<LineSegment>& segments) const;
 
   /// The segments of every scan line, and the number of each pixel's segment: rows of numberStride() pixels of the

@@ -37,16 +37,37 @@ LineSegment oddNumbers() {
   segment.mean << 2.0 / 7.0, -0.3;
   segment.covariance << 1e-5, -2e-6, -2e-6, 3.3333333333333333e-4;
   segment.variance = 1.2345678901234567e-6;
+  segment.theta << 0.7, -1.0 / 7.0;
+  segment.theta_covariance << 2e-9, 1e-10, 1e-10, 3.1e-8;
   return segment;
 }
 
 TEST(SegmentList, HeadingNamesUnitsAndEveryColumn) {
   const auto rows = cells(segmentListCsv({}));
   ASSERT_EQ(rows.size(), 1U);
-  const std::vector<std::string> expected{"scan",         "line",      "first_px",       "last_px",   "samples",
-                                          "label",        "start_x_m", "start_y_m",      "start_z_m", "end_x_m",
-                                          "end_y_m",      "end_z_m",   "mean_t1_m",      "mean_t2_m", "var_t1_m2",
-                                          "cov_t1_t2_m2", "var_t2_m2", "residual_var_m2"};
+  const std::vector<std::string> expected{"scan",
+                                          "line",
+                                          "first_px",
+                                          "last_px",
+                                          "samples",
+                                          "label",
+                                          "start_x_m",
+                                          "start_y_m",
+                                          "start_z_m",
+                                          "end_x_m",
+                                          "end_y_m",
+                                          "end_z_m",
+                                          "mean_t1_m",
+                                          "mean_t2_m",
+                                          "var_t1_m2",
+                                          "cov_t1_t2_m2",
+                                          "var_t2_m2",
+                                          "residual_var_m2",
+                                          "theta1_per_m",
+                                          "theta2_per_m",
+                                          "var_theta1_per_m2",
+                                          "cov_theta1_theta2_per_m2",
+                                          "var_theta2_per_m2"};
   EXPECT_EQ(rows[0], expected);
 }
 
@@ -57,11 +78,25 @@ TEST(SegmentList, ReadsBackExactly) {
   const std::vector<std::string> whole{"row", "7", "3", "40", "36", "12"};
   EXPECT_EQ(std::vector<std::string>(rows[1].begin(), rows[1].begin() + 6), whole);
   EXPECT_EQ(rows[2][0], "column");
-  const double expected[] = {s.start(0),         s.start(1),         s.start(2),         s.end(0),
-                             s.end(1),           s.end(2),           s.mean(0),          s.mean(1),
-                             s.covariance(0, 0), s.covariance(0, 1), s.covariance(1, 1), s.variance};
-  ASSERT_EQ(rows[1].size(), 18U);
-  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(std::strtod(rows[1][6 + i].c_str(), nullptr), expected[i]) << i;
+  const double expected[] = {s.start(0),
+                             s.start(1),
+                             s.start(2),
+                             s.end(0),
+                             s.end(1),
+                             s.end(2),
+                             s.mean(0),
+                             s.mean(1),
+                             s.covariance(0, 0),
+                             s.covariance(0, 1),
+                             s.covariance(1, 1),
+                             s.variance,
+                             s.theta(0),
+                             s.theta(1),
+                             s.theta_covariance(0, 0),
+                             s.theta_covariance(0, 1),
+                             s.theta_covariance(1, 1)};
+  ASSERT_EQ(rows[1].size(), 23U);
+  for (std::size_t i = 0; i < 17; ++i) EXPECT_EQ(std::strtod(rows[1][6 + i].c_str(), nullptr), expected[i]) << i;
 }
 
 class SegmentListFile : public test::TempFolderTest {};
