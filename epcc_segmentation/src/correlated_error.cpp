@@ -32,22 +32,30 @@ KeptShares keptShares(double x) {
 
 SamplesPerIndependent samplesPerIndependent(const ErrorCorrelation& error, double long_side, double short_side,
                                             int stride) {
-  if (!(error.share > 0.0) || !(error.length > 0.0)) return {1.0, 1.0, 1.0};
-  const KeptShares across_long = keptShares(long_side / error.length);
-  const KeptShares across_short = keptShares(short_side / error.length);
-  const double all = 2.0 * kPi * error.length * error.length / (static_cast<double>(stride) * stride);
-  const auto samples = [&](double kept) { return (1.0 - error.share) + error.share * std::max(1.0, all * kept); };
-  return {samples(across_long.offset * across_short.offset), samples(across_long.slope * across_short.offset),
-          samples(across_long.offset * across_short.slope)};
+  SamplesPerIndependent sum = {1.0, 1.0, 1.0};
+  for (const CorrelatedPart& part : {error.blotches, error.bending}) {
+    if (!part.exists()) continue;
+    const KeptShares across_long = keptShares(long_side / part.length);
+    const KeptShares across_short = keptShares(short_side / part.length);
+    const double all = 2.0 * kPi * part.length * part.length / (static_cast<double>(stride) * stride);
+    const auto more = [&](double kept) { return part.share * (std::max(1.0, all * kept) - 1.0); };
+    sum.offset += more(across_long.offset * across_short.offset);
+    sum.long_slope += more(across_long.slope * across_short.offset);
+    sum.short_slope += more(across_long.offset * across_short.slope);
+  }
+  return sum;
 }
 
 std::vector<double> autocorrelation(const ErrorCorrelation& error, int stride) {
   std::vector<double> correlation = {1.0};
-  if (!(error.share > 0.0) || !(error.length > 0.0)) return correlation;
-  const double reach = kReach * error.length / stride;
-  for (int k = 1; k <= reach; ++k) {
-    const double x = k * stride / error.length;
-    correlation.push_back(error.share * std::exp(-0.5 * x * x));
+  for (const CorrelatedPart& part : {error.blotches, error.bending}) {
+    if (!part.exists()) continue;
+    const auto reach = static_cast<std::size_t>(kReach * part.length / stride);
+    if (correlation.size() <= reach) correlation.resize(reach + 1, 0.0);
+    for (std::size_t k = 1; k <= reach; ++k) {
+      const double x = static_cast<double>(k) * stride / part.length;
+      correlation[k] += part.share * std::exp(-0.5 * x * x);
+    }
   }
   return correlation;
 }

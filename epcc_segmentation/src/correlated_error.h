@@ -8,16 +8,25 @@
 
 namespace epcc {
 
-/// An error of which one part differs from pixel to pixel, and the other has the autocorrelation exp(-r^2 / (2 l^2)).
-struct ErrorCorrelation {
-  double share = 0.0;   ///< of the correlated part in the variance, 0 to 1
+/// A part of an error with the autocorrelation exp(-r^2 / (2 l^2)).
+struct CorrelatedPart {
+  double share = 0.0;   ///< in the variance, 0 to 1
   double length = 0.0;  ///< its l, pixels
+
+  bool exists() const { return share > 0.0 && length > 0.0; }
+};
+
+/// An error in parts; what is left of the variance differs from pixel to pixel.
+struct ErrorCorrelation {
+  CorrelatedPart blotches;
+  CorrelatedPart bending;  ///< slower than the blotches
 
   /// All of it correlated, unless a pixel is a sample of its own: what a given model says.
   static ErrorCorrelation of(const SensorModel& sensor) {
     const double length = sensor.correlationLength();
-    return length > 0.4 ? ErrorCorrelation{1.0, length} : ErrorCorrelation{};
+    return length > 0.4 ? ErrorCorrelation{{1.0, length}, {}} : ErrorCorrelation{};
   }
+  double grain() const { return 1.0 - blotches.share - bending.share; }
 };
 
 /// Samples that are worth one independent one, for each of a plane's three parameters.

@@ -18,6 +18,7 @@
 #include "segment_fit.h"
 #include "sensor/frame_doubts.h"
 #include "sensor/sensor_adaptation.h"
+#include "sensor/slow_bending.h"
 
 namespace epcc {
 
@@ -75,7 +76,9 @@ struct PlaneExtractor::Workspace {
   MetricPipeline metric;
   InverseDepthPipeline inverse_depth;
   PlaneFitter fitter;
+  SlowBending bending;
   std::optional<ErrorCorrelation> measured_error;  // of this frame's sensor
+  const InverseDepthImage* measured_image = nullptr;
 };
 
 PlaneExtractor::PlaneExtractor(const Parameters& parameters, const std::optional<SensorModel>& sensor)
@@ -101,7 +104,9 @@ void PlaneExtractor::setSensor(const SensorModel& sensor) {
 void PlaneExtractor::setSensorAuto() {
   given_sensor_ = sensor_ = SensorEstimate().model();
   measures_sensor_ = true;
-  if (workspace_) workspace_->estimator.reset();
+  if (!workspace_) return;
+  workspace_->estimator.reset();
+  workspace_->bending.reset();
 }
 
 bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result) try {
@@ -135,9 +140,14 @@ void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmenta
   const int count = paper ? extractMetric(frame, result) : extractInverseDepth(frame, result);
   const FitSamples samples = paper ? FitSamples{1, 0, false} : workspace_->inverse_depth.fitSamples();
   StopWatch watch;
-  const ErrorCorrelation error = workspace_->measured_error.value_or(ErrorCorrelation::of(sensor_));
+  ErrorCorrelation error = workspace_->measured_error.value_or(ErrorCorrelation::of(sensor_));
   workspace_->fitter.lendErrorCorrelation(error);
   workspace_->fitter.fit(frame, sensor_, count, samples, parameters_.threads, result);
+  if (workspace_->measured_error && workspace_->bending.canMeasure(frame, *workspace_->measured_image, samples)) {
+    error = workspace_->bending.update(workspace_->estimator.lastBlocks(), *workspace_->measured_image, error,
+                                       {result.labels, result.planes, sensor_, workspace_->fitter});
+    workspace_->fitter.correlate(error, result.planes);
+  }
   if (parameters_.line_segments) listSegments(frame, error, result);
   times_.result += watch.lap();
 }
@@ -202,7 +212,8 @@ void PlaneExtractor::adaptSensor(const InverseDepthImage& image, Doubts& doubts)
   const SensorEstimate measured = workspace_->estimator.update(image);
   sensor_ = measures_sensor_ ? measured.model() : adapted(given_sensor_, measured, image, workspace_->ratios);
   if (measures_sensor_ && measured.blocks > 0)
-    workspace_->measured_error = ErrorCorrelation{measured.blotch_share, measured.blotch_length};
+    workspace_->measured_error = ErrorCorrelation{{measured.blotch_share, measured.blotch_length}, {}};
+  workspace_->measured_image = &image;
   const bool may_be_generic = measures_sensor_ && measured.blocks == 0;
   doubts.sensor_is_generic = may_be_generic && workspace_->scattered.validShare() > 0.0;
   doubts.error_share = errorShare(image, measured, workspace_->ratios);

@@ -178,6 +178,7 @@ void PlaneFitter::fitPoints(const SensorModel& sensor, const FitSamples& samples
   const double area = static_cast<double>(samples.stride) * static_cast<double>(samples.stride);
   fits_.assign(count, Plane());
   ray_planes_.assign(count, RayPlane());
+  ray_fits_.assign(count, RayFit());
   for (std::size_t i = 0; i < count; ++i) {
     PointMoments moments;
     for (const Band& band : bands_) moments.add(band.sums[i]);
@@ -201,7 +202,8 @@ void PlaneFitter::fitRays(const DepthFrame& image, const FitSamples& samples) {
     ResidualSums sums = {};
     for (const Band& band : bands_) addResidualSums(band.residual_sums[i], sums);
     rays.stride = is_sparse_[i] != 0 ? 1 : samples.stride;
-    fitAlongRays(sums, rays, error_, fits_[i]);
+    ray_fits_[i] = fitAlongRays(sums, rays, fits_[i]);
+    setCovariance(ray_fits_[i], error_, fits_[i]);
   }
 }
 
@@ -275,6 +277,17 @@ void PlaneFitter::listPlanes(std::vector<Plane>& planes) {
     if (confidence_ != nullptr) planes.back().confidence = confidence_[i];
     new_label_[i + 1] = static_cast<std::int32_t>(planes.size());
   }
+}
+
+void PlaneFitter::correlate(const ErrorCorrelation& error, std::vector<Plane>& planes) const {
+  for (std::size_t i = 0; i < ray_fits_.size(); ++i)
+    if (new_label_[i + 1] > 0)
+      setCovariance(ray_fits_[i], error, planes[static_cast<std::size_t>(new_label_[i + 1]) - 1]);
+}
+
+const RayFit& PlaneFitter::rayFit(std::size_t plane) const {
+  const auto found = std::find(new_label_.begin(), new_label_.end(), static_cast<std::int32_t>(plane + 1));
+  return ray_fits_[static_cast<std::size_t>(found - new_label_.begin()) - 1];
 }
 
 void PlaneFitter::renumber(int threads, std::vector<std::int32_t>& labels) const {

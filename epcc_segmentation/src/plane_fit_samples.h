@@ -11,6 +11,7 @@
 #include "epcc_segmentation/plane_segmentation.h"
 #include "epcc_segmentation/sensor_model.h"
 #include "label_sums.h"
+#include "ray_fit.h"
 #include "ray_residuals.h"
 
 namespace epcc {
@@ -46,6 +47,10 @@ class PlaneFitter {
   void lendConfidence(const double* confidence) { confidence_ = confidence; }
   /// For the next fit: how the error is correlated, where that is known better than by the sensor model.
   void lendErrorCorrelation(const ErrorCorrelation& error) { lent_error_ = error; }
+  /// Of planes[plane] of the last fit.
+  const RayFit& rayFit(std::size_t plane) const;
+  /// Gives the planes of the last fit the covariance of an error of this correlation.
+  void correlate(const ErrorCorrelation& error, std::vector<Plane>& planes) const;
 
  private:
   enum class Sums { OfPoints, OfRays };
@@ -94,6 +99,7 @@ class PlaneFitter {
   bool has_sparse_ = false;
   std::vector<Plane> fits_;  // by label
   std::vector<RayPlane> ray_planes_;
+  std::vector<RayFit> ray_fits_;
   std::vector<long> pixels_;
   std::vector<std::size_t> order_;
   std::vector<std::int32_t> new_label_;

@@ -110,9 +110,10 @@ RayPlane rayPlaneOf(const Plane& plane) {
   return rays;
 }
 
-void fitAlongRays(const ResidualSums& sums, const RayKind& rays, const ErrorCorrelation& error, Plane& plane) {
+RayFit fitAlongRays(const ResidualSums& sums, const RayKind& rays, Plane& plane) {
+  RayFit fit;
   Normal normal = normalOf(sums);
-  if (!(normal.count >= 3.0)) return;
+  if (!(normal.count >= 3.0)) return fit;
   const bool knows_pixels = rays.pixels_u > 0.0;
   const Eigen::Vector3d pixels =
       knows_pixels ? Eigen::Vector3d(rays.pixels_u, rays.pixels_v, 1.0) : Eigen::Vector3d(1.0, 1.0, 1.0);
@@ -139,24 +140,37 @@ void fitAlongRays(const ResidualSums& sums, const RayKind& rays, const ErrorCorr
   for (int k = 0; k < 3; ++k) theta(k) = -plane.coefficients(k) / plane.coefficients(3);
   const double inverse_depth = std::abs(patch.axes.row(0).dot(pixels.cwiseInverse().asDiagonal() * theta));
   const double change = std::abs(step(0)) + 0.5 * (std::abs(step(1)) * sides[1] + std::abs(step(2)) * sides[2]);
-  if (!(change <= kLargestStep * inverse_depth)) return;  // the points are of no plane, the orthogonal fit stands
+  if (!(change <= kLargestStep * inverse_depth)) return fit;  // the points are of no plane, the orthogonal fit stands
   theta += pixels.asDiagonal() * (theta_of * step);
   plane.coefficients << -theta / theta.norm(), 1.0 / theta.norm();
   const double mean_distance = plane.signedDistance(plane.centroid);
   plane.rms =
       std::sqrt(varianceAlong(plane.points_covariance, plane.coefficients.head<3>()) + mean_distance * mean_distance);
 
-  const SamplesPerIndependent worth = samplesPerIndependent(error, patch.long_side, patch.short_side, rays.stride);
-  const double fitted = worth.offset + worth.long_slope + worth.short_slope;
-  const double squares = std::max(0.0, normal.squares - step.dot(gradient));
-  const double unit = squares / std::max(normal.count - fitted, 0.1 * normal.count);
-  Eigen::Matrix3d inverse = solver.solve(Eigen::Matrix3d::Identity());
+  fit.exists = true;
+  fit.inverse = solver.solve(Eigen::Matrix3d::Identity());
   for (int k = 1; k < 3; ++k)
-    if (sides[static_cast<std::size_t>(k)] < kShortestSide) inverse(k, k) = 0.0;
+    if (sides[static_cast<std::size_t>(k)] < kShortestSide) fit.inverse(k, k) = 0.0;
+  fit.coefficients_by_axes = coefficientsByTheta(theta) * pixels.asDiagonal() * theta_of;
+  fit.long_side = patch.long_side;
+  fit.short_side = patch.short_side;
+  fit.stride = rays.stride;
+  fit.squares = std::max(0.0, normal.squares - step.dot(gradient));
+  fit.count = normal.count;
+  return fit;
+}
+
+double RayFit::unit(const SamplesPerIndependent& worth) const {
+  const double fitted = worth.offset + worth.long_slope + worth.short_slope;
+  return squares / std::max(count - fitted, 0.1 * count);
+}
+
+void setCovariance(const RayFit& fit, const ErrorCorrelation& error, Plane& plane) {
+  if (!fit.exists) return;
+  const SamplesPerIndependent worth = fit.worth(error);
   const Eigen::Vector3d root(std::sqrt(worth.offset), std::sqrt(worth.long_slope), std::sqrt(worth.short_slope));
-  const Eigen::Matrix3d inner = unit * (root.asDiagonal() * inverse * root.asDiagonal());
-  const Eigen::Matrix<double, 4, 3> outer = coefficientsByTheta(theta) * pixels.asDiagonal() * theta_of;
-  const Eigen::Matrix4d covariance = outer * inner * outer.transpose();
+  const Eigen::Matrix3d inner = fit.unit(worth) * (root.asDiagonal() * fit.inverse * root.asDiagonal());
+  const Eigen::Matrix4d covariance = fit.coefficients_by_axes * inner * fit.coefficients_by_axes.transpose();
   plane.coefficients_covariance = 0.5 * (covariance + covariance.transpose());
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "epcc_segmentation/depth_frame.h"
@@ -86,6 +87,7 @@ class EPCC_CORE_EXPORT SensorPool {
 };
 
 struct InverseDepthImage;  // internal: a frame that has been read
+struct BlockResiduals;     // internal: a block of it
 
 /// The same over a stream of one sensor: the median of each value over the last estimates, so that the model settles
 /// and does not flicker. Keeps its memory from frame to frame.
@@ -114,6 +116,8 @@ class EPCC_CORE_EXPORT SensorEstimator {
   SensorEstimate update(const InverseDepthImage& image);
   /// Image blocks, large and small, that the last update looked at, flat or not: what it cost.
   std::size_t blocksLookedAt() const;
+  /// Internal: the flat blocks among those that the last update looked at, until the next.
+  std::pair<const BlockResiduals*, std::size_t> lastBlocks() const;
   /// Starts afresh. Until the memory is full a frame measures every first_interval-th block, 1 to 10.
   void reset(int first_interval = 1);
 

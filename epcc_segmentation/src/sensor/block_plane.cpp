@@ -167,6 +167,7 @@ bool fitBlock(const InverseDepthImage& image, const BlockPlace& place, FittedBlo
   const double middle_w =
       static_cast<double>(median + block.plane.forward) + static_cast<double>(block.plane.y) * half.middle_y;
   const double mean_w = std::max(middle_w, 1e-12);
+  block.w = middle_w;
   const double qu = static_cast<double>(block.plane.x) / half.x;
   const double qv = static_cast<double>(block.plane.y) / half.y;
   block.tan2 = std::min(kSteepest, (qu * qu + qv * qv) / (mean_w * mean_w));

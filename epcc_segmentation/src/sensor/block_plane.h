@@ -18,6 +18,7 @@ struct FittedBlock {
   BlockSamples samples;  ///< without their centre
   BlockRays rays;
   SamplePlane plane;
+  double w = 0.0;         ///< of the plane, in the middle
   float gate = 0.0f;      ///< for the residuals of the plane's inliers
   double depth = 0.0;     ///< measured depth, metres
   double to_depth = 0.0;  ///< from an inverse depth's difference to the measured depth's

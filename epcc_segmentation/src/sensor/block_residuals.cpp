@@ -17,6 +17,10 @@ std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, const
   result.depth = block.depth;
   result.slant = 1.0 + block.tan2;
   result.step = block.step * block.to_depth;
+  result.place = place;
+  result.w = block.w;
+  result.w_right = static_cast<double>(block.plane.x);
+  result.w_down = static_cast<double>(block.plane.y);
   const double whole = quadrics.squares[kScales - 1];
   result.deviation = std::sqrt(whole / result.slant) * block.to_depth;
   if (!std::isfinite(result.deviation) || !std::isfinite(result.depth)) return std::nullopt;  // absurd values

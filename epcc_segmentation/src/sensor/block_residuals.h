@@ -16,6 +16,9 @@ struct BlockResiduals {
   double deviation = 0.0;  ///< rms residual of a quadric, across the surface, metres
   double slant = 1.0;      ///< square of the axial residual over that across the surface: 1 + tan^2
   double step = 0.0;       ///< smallest difference of two depths, metres: the step of a quantised depth
+  BlockPlace place = {0, 0, 0};
+  /// Inverse depth of its plane in the middle, and how far it changes from there to the block's right and lower side.
+  double w = 0.0, w_right = 0.0, w_down = 0.0;
   /// Mean squares that separate quadrics in the block's parts, of a quarter and of half its side, leave of those that
   /// one quadric leaves.
   std::array<double, kScales - 1> kept{};

@@ -35,6 +35,9 @@ class ImageEstimation {
   /// Blocks of both sizes looked at since begin(), flat or not.
   std::size_t lookedAt() const { return blocks_.lookedAt() + halves_.lookedAt(); }
 
+  /// The flat blocks that were measured since begin().
+  const std::vector<BlockResiduals>& flatBlocks() const { return blocks_.flat(); }
+
   /// Side of the blocks that an image of this size is measured with first.
   static int blockSize(int width, int height);
   /// Of those that are used where the first ones find nothing.

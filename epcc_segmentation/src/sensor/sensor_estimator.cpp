@@ -36,6 +36,7 @@ struct SensorEstimator::Stream {
   ScatteredPixels scattered;
   ImageEstimation estimation;
   std::size_t looked_at = 0;
+  std::size_t first_block = 0;  // of the last frame among the flat ones
   // the round
   std::size_t frame = 0;
   int block_size = 0;
@@ -75,6 +76,7 @@ void SensorEstimator::Stream::update(const InverseDepthImage& next) {
 void SensorEstimator::Stream::measureWhole(const InverseDepthImage& next) {
   const SensorEstimate latest = estimation.share(next, first);
   looked_at = estimation.lookedAt();
+  first_block = 0;
   remember(latest);
 }
 
@@ -83,6 +85,7 @@ void SensorEstimator::Stream::measureWhole(const InverseDepthImage& next) {
 void SensorEstimator::Stream::measureTurn(const InverseDepthImage& next) {
   if (frame == 0) estimation.begin(block_size);
   const std::size_t before = estimation.lookedAt();
+  first_block = estimation.flatBlocks().size();
   estimation.measure(next, {static_cast<int>(frame), static_cast<int>(interval)});
   looked_at = estimation.lookedAt() - before;
   if (++frame < interval) return;
@@ -141,6 +144,11 @@ SensorEstimate SensorEstimator::update(const DepthFrame& frame) {
 SensorEstimate SensorEstimator::update(const InverseDepthImage& image) {
   stream_->update(image);
   return stream_->summary;
+}
+
+std::pair<const BlockResiduals*, std::size_t> SensorEstimator::lastBlocks() const {
+  const auto& blocks = stream_->estimation.flatBlocks();
+  return {blocks.data() + stream_->first_block, blocks.size() - stream_->first_block};
 }
 
 std::size_t SensorEstimator::blocksLookedAt() const {
