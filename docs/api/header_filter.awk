@@ -3,7 +3,7 @@
 # declares goes to the header's topic (topics.dox), so that the headers themselves need no commands. Lines stay where they
 # are.
 BEGIN {
-  add("segmentation", "plane_extractor plane_segmentation line_segment doubts status plane_fit")
+  add("segmentation", "plane_extractor plane_segmentation line_segment doubts status plane_fit line_fit")
   add("parameters", "parameters inverse_depth_parameters paper_parameters parameter_table")
   add("frames", "depth_frame depth_view projection cloud_geometry")
   add("sensor", "sensor_model sensor_estimation")

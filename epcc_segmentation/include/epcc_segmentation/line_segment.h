@@ -49,8 +49,9 @@ struct LineSegment {
   /// scan line (docs/research/uncertainty.md). 0 if it is not known: fewer than three samples, or a line of sight.
   Matrix2 theta_covariance = Matrix2::Zero();
 
-  /// The line as t1 cos(alpha) + t2 sin(alpha) = rho: alpha rad, (-pi, pi], rho metres.
+  /// The line as t1 cos(alpha) + t2 sin(alpha) = rho: alpha, rad, (-pi, pi].
   double alpha() const { return std::atan2(theta(1), theta(0)); }
+  /// Its distance from the sensor, rho, metres.
   double rho() const { return 1.0 / theta.norm(); }
   /// Of (alpha, rho): rad^2, rad m, m^2, to first order. A segment of a few pixels is turned so easily that theta,
   /// which the measurements are linear in, is Gaussian, but these two are not.

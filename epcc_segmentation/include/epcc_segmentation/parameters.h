@@ -29,8 +29,8 @@ struct Parameters {
   /// Form of the method. inverse-depth | paper, default inverse-depth. Choose paper to compare with the publication.
   Mode mode = Mode::InverseDepth;
 
-  /// Which lines of the image are the scan lines. columns | rows | both, default both. Choose one direction to save
-  /// time; rows are an error for spherical scans, whose rows are cones.
+  /// Scan lines. columns | rows | both, default both. Choose one direction to save time; rows are an error for
+  /// spherical scans, whose rows are cones.
   ScanDirection scan = ScanDirection::Both;
 
   /// Threads; the result does not depend on them. [1, 256] threads, default 1. Raise it if cores are idle; lower it if
