@@ -8,6 +8,7 @@
 
 #include "cloud_points.h"
 #include "geometry/sensor_cloud.h"
+#include "label_margin.h"
 #include "label_table.h"
 #include "parallel_for.h"
 #include "plane_fit_samples.h"
@@ -39,25 +40,36 @@ void takeSamples(const T* from, int width, const FitSamples& samples, T* to) {
 
 /// The samples' labels, of sparse planes alone while these are summed. False if there is none.
 bool PlaneFitter::readLabels(const std::int32_t* labels, int width, const FitSamples& samples,
-                             std::vector<std::int32_t>& row) const {
+                             std::int32_t* row) const {
   if (samples.stride == 1)
-    std::copy(labels, labels + width, row.begin());
+    std::copy(labels, labels + width, row);
   else
-    takeSamples(labels, width, samples, row.data());
+    takeSamples(labels, width, samples, row);
   const auto count = static_cast<std::size_t>(samplesAlong(width, samples));
-  if (takes_only_) changeLabels(row.data(), count, plane_count_, only_.data());
+  if (takes_only_) changeLabels(row, count, plane_count_, only_.data());
   std::int32_t any = 0;
   for (std::size_t i = 0; i < count; ++i) any |= row[i];
   return any != 0;
 }
 
+const std::int32_t* PlaneFitter::labelsInside(const FitSamples& samples, int rows, int row, std::size_t count,
+                                              Band& band) const {
+  const auto at = [&](int i) {
+    const auto place = static_cast<std::size_t>(std::clamp(i, 0, rows - 1)) * pitch_;
+    return sampled_labels_.data() + place + static_cast<std::size_t>(samples.margin);
+  };
+  keepInside(at(row), at(row - samples.margin), at(row + samples.margin), count,
+             static_cast<std::size_t>(samples.margin), band.labels.data());
+  return band.labels.data();
+}
+
 void PlaneFitter::sumBand(const DepthFrame& image, Sums sums, const FitSamples& samples,
-                          const std::vector<std::int32_t>& labels, int begin, int end, Band& band) const {
+                          const std::vector<std::int32_t>& labels, int begin, int end, Band& band) {
   const auto width = static_cast<std::size_t>(image.width());
   const bool is_whole = samples.stride == 1 && samples.offset == 0;
   const std::size_t padded = width + kRunLanes;
   band.points.resize(4 * padded);
-  band.labels.resize(2 * width);
+  band.labels.resize(2 * width + kBehindLabels);
   float* x = band.points.data();
   float* y = x + padded;
   float* z = y + padded;
@@ -81,8 +93,15 @@ void PlaneFitter::sumBand(const DepthFrame& image, Sums sums, const FitSamples& 
   for (int i = begin; i < end; ++i) {
     const int r = samples.offset + i * samples.stride;
     row.labels = labels.data() + image.index(r, 0);
-    if (!is_whole || takes_only_) {
-      if (!readLabels(row.labels, image.width(), samples, band.labels)) continue;
+    if (sums == Sums::OfRays && samples.margin > 0) {
+      row.labels = labelsInside(samples, samplesAlong(image.height(), samples), i, row.count, band);
+    } else if (samples.margin > 0) {
+      const std::size_t place = static_cast<std::size_t>(i) * pitch_ + static_cast<std::size_t>(samples.margin);
+      std::int32_t* const kept = sampled_labels_.data() + place;
+      if (!readLabels(row.labels, image.width(), samples, kept)) continue;
+      row.labels = kept;
+    } else if (!is_whole || takes_only_) {
+      if (!readLabels(row.labels, image.width(), samples, band.labels.data())) continue;
       row.labels = band.labels.data();
     }
     if (!is_whole && sample_depth_ != nullptr) {
@@ -172,6 +191,28 @@ void PlaneFitter::sumSparsePlanes(const DepthFrame& image, Sums sums, const FitS
   takes_only_ = false;
 }
 
+void PlaneFitter::sumThinPlanes(const DepthFrame& image, const FitSamples& samples, int threads,
+                                const std::vector<std::int32_t>& labels) {
+  constexpr double kFewestInside = 0.5;  // of a plane's samples
+  if (samples.margin == 0) return;
+  bool has_thin = false;
+  only_.assign(pixels_.size() + 1, 0);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    if (is_sparse_[i] != 0 || !hasSamples(i)) continue;
+    double inside = 0.0;
+    for (const Band& band : bands_)
+      for (const double lane : band.residual_sums[i].lanes[kResidualSums - 1]) inside += lane;
+    if (inside >= kFewestInside * samplesOf(i)) continue;
+    has_thin = true;
+    only_[i + 1] = static_cast<std::int32_t>(i + 1);
+    for (Band& band : bands_) band.residual_sums[i] = ResidualSums();
+  }
+  if (!has_thin) return;
+  takes_only_ = true;
+  sumAll(image, Sums::OfRays, {samples.stride, samples.offset, true, 0}, threads, labels);
+  takes_only_ = false;
+}
+
 /// The orthogonal fits, which the sums of what the samples are off along their rays need.
 void PlaneFitter::fitPoints(const SensorModel& sensor, const FitSamples& samples) {
   const auto count = static_cast<std::size_t>(plane_count_);
@@ -238,6 +279,13 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
     across_.resize(static_cast<std::size_t>(image.width() + kRunLanes));
     for (int c = 0; c < image.width(); ++c) across_[static_cast<std::size_t>(c)] = image.pinholeAcross(c);
   }
+  if (samples.margin > 0) {
+    const auto columns = static_cast<std::size_t>(samplesAlong(image.width(), samples));
+    const auto rows = static_cast<std::size_t>(samplesAlong(image.height(), samples));
+    const std::size_t pitch = columns + 2 * static_cast<std::size_t>(samples.margin) + kBehindLabels;
+    if (pitch != pitch_ || pitch * rows != sampled_labels_.size()) sampled_labels_.assign(pitch * rows, 0);
+    pitch_ = pitch;  // what lies beside the rows stays 0
+  }
   sumAll(image, Sums::OfPoints, samples, threads, segmentation.labels);
   has_sparse_ = false;
   if (samples.stride > 1) {
@@ -254,6 +302,7 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
   if (samples.along_rays) {
     sumAll(image, Sums::OfRays, samples, threads, segmentation.labels);
     sumSparsePlanes(image, Sums::OfRays, samples, threads, segmentation.labels);
+    sumThinPlanes(image, samples, threads, segmentation.labels);
     fitRays(image, samples);
   }
   listPlanes(segmentation.planes);

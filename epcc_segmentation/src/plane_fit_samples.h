@@ -23,6 +23,10 @@ struct FitSamples {
   /// After the orthogonal fit, without weights, the step of fitAlongRays(), which errors of the depths do not bias;
   /// else, the paper's way, the orthogonal fit alone, which a stream can keep.
   bool along_rays = true;
+  /// Of that step: samples so near to another plane in the grid are left out. Which of two planes that are alike there
+  /// got them was decided by their errors, so that those of either plane are not what they are elsewhere. A plane that
+  /// would lose more than half of its samples keeps them all.
+  int margin = 0;
 };
 
 /// fitPlanes() for a stream of frames. The result does not depend on the number of threads.
@@ -64,11 +68,12 @@ class PlaneFitter {
     std::vector<std::int32_t> labels;
     std::vector<double> across;
   };
-  bool readLabels(const std::int32_t* labels, int width, const FitSamples& samples,
-                  std::vector<std::int32_t>& row) const;
+  bool readLabels(const std::int32_t* labels, int width, const FitSamples& samples, std::int32_t* row) const;
+  /// Labels of the samples of a row of the grid that are not in the margin of another plane.
+  const std::int32_t* labelsInside(const FitSamples& samples, int rows, int row, std::size_t count, Band& band) const;
   /// Adds the samples of the rows offset + stride * [begin, end), of the labels that only_ keeps if takes_only_.
   void sumBand(const DepthFrame& image, Sums sums, const FitSamples& samples, const std::vector<std::int32_t>& labels,
-               int begin, int end, Band& band) const;
+               int begin, int end, Band& band);
   void sumAll(const DepthFrame& image, Sums sums, const FitSamples& samples, int threads,
               const std::vector<std::int32_t>& labels);
   void countPixels(const DepthFrame& image, int threads, const std::vector<std::int32_t>& labels);
@@ -77,6 +82,9 @@ class PlaneFitter {
   void findSparsePlanes();
   void sumSparsePlanes(const DepthFrame& image, Sums sums, const FitSamples& samples, int threads,
                        const std::vector<std::int32_t>& labels);
+  /// Sums without the margin of the planes that it leaves too little of.
+  void sumThinPlanes(const DepthFrame& image, const FitSamples& samples, int threads,
+                     const std::vector<std::int32_t>& labels);
   void fitPoints(const SensorModel& sensor, const FitSamples& samples);
   void fitRays(const DepthFrame& image, const FitSamples& samples);
   void listPlanes(std::vector<Plane>& planes);
@@ -93,6 +101,8 @@ class PlaneFitter {
   const double* confidence_ = nullptr;
   std::vector<double> across_;  // u of the image's columns
   std::vector<Band> bands_;
+  std::vector<std::int32_t> sampled_labels_;  // where there is a margin, in rows of pitch_
+  std::size_t pitch_ = 0;
   std::vector<std::int32_t> only_;  // by label: itself if it is sparse, or 0
   bool takes_only_ = false;
   std::vector<char> is_sparse_;  // by plane: fitted to all of its pixels

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -212,6 +213,47 @@ TEST(PlaneFitter, AFitterForgetsTheFrameBefore) {
     ASSERT_EQ(again.planes.size(), fresh.planes.size());
     for (std::size_t k = 0; k < fresh.planes.size(); ++k)
       ASSERT_EQ(again.planes[k].coefficients_covariance, fresh.planes[k].coefficients_covariance);
+  }
+}
+
+/// A step from 2 m to 2.1 m in column 40 of 80, the border of whose labels is wrong by two pixels, and a slat of three
+/// pixels before the farther side.
+struct WrongBorder {
+  epcc::PinholeCamera camera{80, 60, 100.0, 100.0, 39.5, 29.5};
+  std::vector<float> depth;
+  std::vector<std::int32_t> labels;
+  WrongBorder() {
+    for (int row = 0; row < 60; ++row)
+      for (int column = 0; column < 80; ++column) {
+        const bool is_slat = column >= 60 && column < 63;
+        depth.push_back(is_slat ? 1.5f + 0.001f * static_cast<float>((row / 2) % 3) : column < 40 ? 2.0f : 2.1f);
+        labels.push_back(is_slat ? 3 : column < 42 ? 1 : 2);
+      }
+  }
+};
+
+TEST(PlaneFitter, WhatLiesInTheMarginOfAnotherPlaneDoesNotCountButThinPlanesKeepAll) {
+  const WrongBorder scene;
+  const DepthFrame frame = DepthFrame::fromDepth(scene.depth.data(), scene.camera);
+  for (const epcc::FitSamples& samples : {epcc::FitSamples{1, 0, true, 2}, epcc::FitSamples{2, 1, true, 1}}) {
+    epcc::PlaneFitter fitter;
+    for (int run = 0; run < 2; ++run) {  // with its memory too
+      PlaneSegmentation result;
+      result.labels = scene.labels;
+      ASSERT_TRUE(fitter.fit(frame, SensorModel::axial(0.01, 0.0, 1.0), 3, samples, 1, result));
+      ASSERT_EQ(result.planes.size(), 3u);
+      EXPECT_NEAR(result.planes[0].coefficients(3), 2.0, 2e-4);
+      EXPECT_NEAR(result.planes[1].coefficients(3), 2.1, 2e-4);
+      EXPECT_NEAR(result.planes[2].coefficients(3), 1.5, 5e-3);
+      EXPECT_GT(result.planes[2].coefficients_covariance.trace(), 0.0);
+      epcc::FitSamples without = samples;
+      without.margin = 0;
+      PlaneSegmentation all;
+      all.labels = scene.labels;
+      ASSERT_TRUE(epcc::PlaneFitter().fit(frame, SensorModel::axial(0.01, 0.0, 1.0), 3, without, 1, all));
+      EXPECT_GT(std::abs(all.planes[0].coefficients(3) - 2.0), 1e-3);
+      EXPECT_EQ(all.planes[2].coefficients_covariance, result.planes[2].coefficients_covariance);
+    }
   }
 }
 

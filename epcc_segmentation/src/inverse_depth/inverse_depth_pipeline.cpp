@@ -122,8 +122,11 @@ void InverseDepthPipeline::labelPixels() {
 }
 
 FitSamples InverseDepthPipeline::fitSamples() const {
-  if (scattered_ != nullptr || sensor_.correlationLength() < steps_.across) return FitSamples();
-  return {steps_.across, steps_.across / 2};
+  if (scattered_ != nullptr) return FitSamples();
+  // The refinement's last moves are of a pixel or two.
+  constexpr int kMargin = 2;
+  if (sensor_.correlationLength() < steps_.across) return {1, 0, true, kMargin};
+  return {steps_.across, steps_.across / 2, true, std::max(1, kMargin / steps_.across)};
 }
 
 void InverseDepthPipeline::listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,
