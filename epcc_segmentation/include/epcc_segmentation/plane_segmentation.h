@@ -17,7 +17,7 @@ struct Plane {
   Vector4 coefficients = Vector4::Zero();
   /// Covariance of (a, b, c, d), of rank 3, from the size of the fit's residuals, and from how far the error is
   /// correlated: by the sensor model's length, or as it was measured where the sensor is
-  /// (docs/research/uncertainty.md). Bending of the sensor that is slower than that length is not in it.
+  /// (docs/research/uncertainty.md). Where the sensor is measured, its slow bending is in it too.
   Matrix4 coefficients_covariance = Matrix4::Zero();
   /// Mean of the plane's points, metres.
   Vector3 centroid = Vector3::Zero();
