@@ -18,6 +18,18 @@ function(epcc_set_options target)
   endif()
 endfunction()
 
+# epcc_keep_kernels_apart(TARGET): a kernel's source includes itself, once for each vector unit; a unity build
+# (CMAKE_UNITY_BUILD), as the sanitizers' presets have it, leaves such sources alone.
+function(epcc_keep_kernels_apart target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    file(STRINGS ${source} kernel REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)
+    if(kernel)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
+endfunction()
+
 # epcc_add_library(NAME SOURCES a.cpp ... [PUBLIC lib ...] [PRIVATE lib ...]): the library of one room; its headers are
 # included by their path from the project's top.
 function(epcc_add_library name)

@@ -17,11 +17,11 @@ namespace epcc {
 
 namespace {
 
-constexpr std::size_t kMaxHeaderBytes = 64 * 1024;
+constexpr std::size_t kMaxPcdHeaderBytes = 64 * 1024;
 constexpr int kMaxFields = 256;
 constexpr int kMaxPointBytes = 4096;
 /// No LZF stream grows by more when it is unpacked (three bytes stand for 264 at most).
-constexpr std::uint32_t kMaxCompression = 100;
+constexpr std::uint32_t kMaxPcdCompression = 100;
 
 using Lines = std::map<std::string, std::vector<std::string>>;
 
@@ -34,7 +34,7 @@ bool isHeaderKey(const std::string& key) {
 /// The header's lines by key, up to DATA; `data_offset` is the first byte behind it.
 Lines splitHeader(const std::string& path, std::uintmax_t& data_offset) {
   std::ifstream in(path, std::ios::binary);
-  std::string text(kMaxHeaderBytes, '\0');
+  std::string text(kMaxPcdHeaderBytes, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
   Lines lines;
@@ -168,7 +168,7 @@ void checkPayload(const std::string& path, const PcdHeader& header, std::uintmax
   in.seekg(static_cast<std::streamoff>(header.data_offset));
   in.read(reinterpret_cast<char*>(sizes), sizeof sizes);
   if (!in) throw InputError(path, "DATA", "ends before the compressed sizes");
-  if (sizes[1] / kMaxCompression > sizes[0]) throw InputError(path, "DATA", "uncompressed size is impossibly large");
+  if (sizes[1] / kMaxPcdCompression > sizes[0]) throw InputError(path, "DATA", "uncompressed size is impossibly large");
   if (sizes[0] > payload - sizeof sizes) throw InputError(path, "DATA", "is shorter than its compressed size");
   if (sizes[1] != points * static_cast<std::uintmax_t>(header.point_size))
     throw InputError(path, "DATA", "uncompressed size is not WIDTH x HEIGHT points");

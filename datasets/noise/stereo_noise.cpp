@@ -16,9 +16,9 @@ namespace {
 // Streams of random numbers, one a step: a change of one step leaves the others as they are.
 enum Stream : std::uint64_t { kError = 101, kWhite, kEdges, kFlying, kOutliers, kHoles };
 
-constexpr float kJump = 0.04F;      // relative second difference of w that makes an edge
-constexpr double kMaxSlant2 = 25;   // tan^2
-constexpr double kMaxDepth = 65.0;  // metres, the most that 16 bits of a millimetre hold
+constexpr float kJump = 0.04F;            // relative second difference of w that makes an edge
+constexpr double kMaxMatchedSlant2 = 25;  // tan^2
+constexpr double kMaxDepth = 65.0;        // metres, the most that 16 bits of a millimetre hold
 
 Image<float> inverted(const DepthImage& depth) {
   Image<float> w(depth.width, depth.height);
@@ -201,7 +201,7 @@ Image<float> slantFactors(const Image<float>& w, const PinholeCamera& camera) {
       const float down = gentleDifference(valueOr0(w, row - 1, column), here, valueOr0(w, row + 1, column));
       const double qu = camera.fx * static_cast<double>(across), qv = camera.fy * static_cast<double>(down);
       const double tan2 = (qu * qu + qv * qv) / (static_cast<double>(here) * here);
-      factors.at(row, column) = static_cast<float>(std::sqrt(1.0 + std::min(kMaxSlant2, tan2)));
+      factors.at(row, column) = static_cast<float>(std::sqrt(1.0 + std::min(kMaxMatchedSlant2, tan2)));
     }
   }
   return factors;

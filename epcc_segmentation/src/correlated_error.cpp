@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pi.h"
+
 namespace epcc {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kReach = 4.0;  // lengths to where no correlation is left
 
 /// Shares of sqrt(2 pi) l that remain of the integral of R over a side, x = side / l:

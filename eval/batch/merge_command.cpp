@@ -24,19 +24,19 @@ struct MergeOptions {
   bool strict = false;
 };
 
-constexpr const char* kDescription =
+constexpr const char* kMergeDescription =
     "Makes one report of the shards of a run (epcc_eval ... --shard I/N --out DIR), or of runs over different data\n"
     "sets. Any sharding gives the same report, up to times.";
 
-constexpr const char* kFooter =
+constexpr const char* kMergeFooter =
     "Exit codes: 0 done, 2 wrong usage, 3 a shard or a result is missing or given twice, or the shards are of "
     "different\n"
     "runs, or nothing was scored, or, with --strict, a frame could not be scored, 4 an output could not be written.";
 
 std::optional<int> parseMergeOptions(int argc, const char* const* argv, MergeOptions& options, std::ostream& out,
                                      std::ostream& err) {
-  CLI::App app(kDescription, "epcc_eval merge");
-  app.footer(kFooter);
+  CLI::App app(kMergeDescription, "epcc_eval merge");
+  app.footer(kMergeFooter);
   app.add_option("DIR", options.folders, "Folders that epcc_eval --out has left")->type_name("");
   app.add_option("--out", options.out, "Folder for the report")->type_name("DIR");
   app.add_flag("--strict", options.strict, "Exit code 3 if any frame could not be scored");

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int kStoredVersion = 1;
 
 Json toJson(const FrameRecord& record) {
   Json json = {{"method", record.method}};
@@ -59,8 +59,8 @@ std::string storedFramePath(const std::string& out, const std::string& dataset, 
 
 void storeFrame(const std::string& out, const StoredFrame& frame) {
   const FrameRecord& first = frame.records.at(0);
-  Json json = {{"version", kVersion},  {"dataset", first.dataset},     {"index", frame.index},
-               {"frame", first.frame}, {"file_name", frame.file_name}, {"records", Json::array()}};
+  Json json = {{"version", kStoredVersion}, {"dataset", first.dataset},     {"index", frame.index},
+               {"frame", first.frame},      {"file_name", frame.file_name}, {"records", Json::array()}};
   for (const FrameRecord& record : frame.records) json["records"].push_back(toJson(record));
   const std::string path = storedFramePath(out, first.dataset, frame.index);
   makeOutputFolder(fs::path(path).parent_path().string());
@@ -73,7 +73,7 @@ std::optional<StoredFrame> loadFrame(const std::string& out, const std::string& 
   try {
     const Json json = Json::parse(file);
     StoredFrame frame;
-    if (json.at("version") != kVersion || json.at("index") != index) return std::nullopt;
+    if (json.at("version") != kStoredVersion || json.at("index") != index) return std::nullopt;
     frame.index = index;
     frame.file_name = json.at("file_name");
     for (const Json& record : json.at("records")) frame.records.push_back(fromJson(record, dataset, json.at("frame")));

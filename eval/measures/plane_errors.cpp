@@ -12,7 +12,7 @@ namespace epcc {
 
 namespace {
 
-constexpr double kMillion = 1e6;
+constexpr double kMicro = 1e6;
 constexpr double kDegrees = 180.0 / M_PI;
 
 std::optional<Eigen::Vector4d> normalized(const Eigen::Vector4d& plane) {
@@ -55,7 +55,7 @@ std::vector<std::size_t> largestClusters(const OverlapTable& table) {
 
 double mean(long millionths, long count) {
   if (count == 0) return std::numeric_limits<double>::quiet_NaN();
-  return static_cast<double>(millionths) / kMillion / static_cast<double>(count);
+  return static_cast<double>(millionths) / kMicro / static_cast<double>(count);
 }
 
 }  // namespace
@@ -111,8 +111,8 @@ PlaneErrorSums sumPlaneErrors(const std::vector<PlaneError>& errors) {
   PlaneErrorSums sums;
   for (const PlaneError& error : errors) {
     ++sums.planes;
-    sums.microdegrees += std::lround(kMillion * error.normal_degrees);
-    sums.micrometres += std::lround(kMillion * error.offset_metres);
+    sums.microdegrees += std::lround(kMicro * error.normal_degrees);
+    sums.micrometres += std::lround(kMicro * error.offset_metres);
   }
   return sums;
 }

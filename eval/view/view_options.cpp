@@ -24,14 +24,14 @@ constexpr const char* kFooter =
     "Exit codes: 0 done, 2 wrong usage, 3 an input could not be used or there is no display, 4 an output could not be\n"
     "written.";
 
-constexpr int kSmallest = 160, kLargest = 8192;  // pixels a side
+constexpr int kSmallestSide = 160, kLargestSide = 8192;  // pixels a side
 
 /// "1280x800".
 std::string setSize(const std::string& text, ViewOptions& options) {
   int width = 0, height = 0;
   char rest = 0;
   const bool is_size = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
-  if (!is_size || std::min(width, height) < kSmallest || std::max(width, height) > kLargest)
+  if (!is_size || std::min(width, height) < kSmallestSide || std::max(width, height) > kLargestSide)
     return "--size: '" + text + "' is not WIDTHxHEIGHT with sides from 160 to 8192 pixels";
   options.width = width;
   options.height = height;

@@ -14,7 +14,7 @@
 namespace epcc {
 namespace {
 
-constexpr int kWidth = 37, kHeight = 21;
+constexpr int kCloudWidth = 37, kCloudHeight = 21;
 constexpr float kNear = 50.0f;  // the farthest coordinate of scan points
 
 /// Random points with one odd value in nine; nothing lies behind the last point's z.
@@ -28,7 +28,7 @@ std::vector<float> randomPoints(std::size_t stride) {
                        std::numeric_limits<float>::infinity(),
                        std::numeric_limits<float>::quiet_NaN()};
   std::mt19937 random(3);
-  std::vector<float> points(stride * kWidth * kHeight - (stride - 3));
+  std::vector<float> points(stride * kCloudWidth * kCloudHeight - (stride - 3));
   for (float& value : points)
     value = random() % 9 == 0 ? odd[random() % 8] : static_cast<float>(random() % 2001) * 0.01f - 10.0f;
   for (std::size_t i = 0; i < 40; ++i) points[i] = 0.0f;  // the sensor itself
@@ -72,13 +72,13 @@ void expectTheSame(const DepthFrame& cloud, const CloudPart& part) {
 }
 
 TEST(CloudPoints, AreThoseOfTheFrameOneByOne) {
-  std::vector<std::uint8_t> mask(kWidth * kHeight);
+  std::vector<std::uint8_t> mask(kCloudWidth * kCloudHeight);
   for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = i % 5 == 0 ? 0 : 1;
   for (const std::size_t stride : {3, 4, 8})
     for (const Projection projection :
          {Projection::Perspective, Projection::PerspectiveBackward, Projection::Spherical}) {
       const std::vector<float> points = randomPoints(stride);
-      const DepthFrame cloud = DepthFrame::fromPoints(points.data(), stride, kWidth, kHeight, projection);
+      const DepthFrame cloud = DepthFrame::fromPoints(points.data(), stride, kCloudWidth, kCloudHeight, projection);
       for (const DepthFrame& view :
            {cloud, cloud.transposed(), cloud.masked(mask.data()), cloud.masked(mask.data()).transposed()}) {
         SCOPED_TRACE(testing::Message() << "stride " << stride << ", projection " << static_cast<int>(projection));

@@ -14,13 +14,13 @@
 namespace epcc {
 namespace {
 
-constexpr int kWidth = 160;
-constexpr int kHeight = 120;
+constexpr int kViewColumns = 160;
+constexpr int kViewRows = 120;
 
 /// A corner of a room in whole millimetres, with holes.
 class DepthViewTest : public ::testing::Test {
  protected:
-  DepthViewTest() : room_(test::renderRoom(test::cornerPlanes(), test::testCamera(kWidth, kHeight))) {
+  DepthViewTest() : room_(test::renderRoom(test::cornerPlanes(), test::testCamera(kViewColumns, kViewRows))) {
     for (std::size_t i = 0; i < room_.depth.size(); ++i) {
       const double units = i % 97 == 0 ? 0.0 : std::round(1000.0 * static_cast<double>(room_.depth[i]));
       units_.push_back(static_cast<std::uint16_t>(units));
@@ -42,9 +42,9 @@ class DepthViewTest : public ::testing::Test {
   /// The rows of an image, `stride` bytes apart, as the bytes of a sensor_msgs/Image.
   template <typename T>
   static std::vector<std::uint8_t> padded(const std::vector<T>& image, std::size_t stride) {
-    std::vector<std::uint8_t> bytes(stride * kHeight, 0xFF);
-    for (std::size_t row = 0; row < kHeight; ++row)
-      std::memcpy(&bytes[row * stride], &image[row * kWidth], kWidth * sizeof(T));
+    std::vector<std::uint8_t> bytes(stride * kViewRows, 0xFF);
+    for (std::size_t row = 0; row < kViewRows; ++row)
+      std::memcpy(&bytes[row * stride], &image[row * kViewColumns], kViewColumns * sizeof(T));
     return bytes;
   }
 
@@ -54,41 +54,41 @@ class DepthViewTest : public ::testing::Test {
 };
 
 TEST_F(DepthViewTest, SixteenBitMillimetresAreTheSameImage) {
-  const DepthView<std::uint16_t> view{units_.data(), kWidth, kHeight};
+  const DepthView<std::uint16_t> view{units_.data(), kViewColumns, kViewRows};
   EXPECT_EQ(segmented(DepthFrame::fromDepth(view, camera())).labels, expected().labels);
 }
 
 TEST_F(DepthViewTest, OtherUnitsHaveAScale) {
   std::vector<float> centimetres;
   for (const float z : metres_) centimetres.push_back(100.0f * z);
-  const DepthView<float> view{centimetres.data(), kWidth, kHeight, 0, 0.01};
+  const DepthView<float> view{centimetres.data(), kViewColumns, kViewRows, 0, 0.01};
   EXPECT_EQ(segmented(DepthFrame::fromDepth(view, camera())).labels, expected().labels);
 
   std::vector<std::uint16_t> fifths;  // TUM RGB-D: 5000 units a metre
   for (const std::uint16_t unit : units_) fifths.push_back(static_cast<std::uint16_t>(5 * unit));
-  const DepthView<std::uint16_t> tum{fifths.data(), kWidth, kHeight, 0, 1.0 / 5000.0};
+  const DepthView<std::uint16_t> tum{fifths.data(), kViewColumns, kViewRows, 0, 1.0 / 5000.0};
   EXPECT_EQ(segmented(DepthFrame::fromDepth(tum, camera())).labels, expected().labels);
 }
 
 TEST_F(DepthViewTest, RowsMayBePaddedToAnyNumberOfBytes) {
-  for (const std::size_t stride : {4u * kWidth, 4u * kWidth + 4u, 4u * kWidth + 7u}) {
+  for (const std::size_t stride : {4u * kViewColumns, 4u * kViewColumns + 4u, 4u * kViewColumns + 7u}) {
     const auto bytes = padded(metres_, stride);
-    const DepthView<float> view{reinterpret_cast<const float*>(bytes.data()), kWidth, kHeight,
+    const DepthView<float> view{reinterpret_cast<const float*>(bytes.data()), kViewColumns, kViewRows,
                                 static_cast<std::ptrdiff_t>(stride)};
     const PlaneSegmentation result = segmented(DepthFrame::fromDepth(view, camera()));
     EXPECT_EQ(result.labels, expected().labels) << stride;
     EXPECT_EQ(result.planes[0].coefficients, expected().planes[0].coefficients) << stride;
   }
-  const auto bytes = padded(units_, 2u * kWidth + 3u);
-  const DepthView<std::uint16_t> view{reinterpret_cast<const std::uint16_t*>(bytes.data()), kWidth, kHeight,
-                                      2 * kWidth + 3};
+  const auto bytes = padded(units_, 2u * kViewColumns + 3u);
+  const DepthView<std::uint16_t> view{reinterpret_cast<const std::uint16_t*>(bytes.data()), kViewColumns, kViewRows,
+                                      2 * kViewColumns + 3};
   EXPECT_EQ(segmented(DepthFrame::fromDepth(view, camera())).labels, expected().labels);
 }
 
 TEST_F(DepthViewTest, BothModesReadEveryView) {
-  const auto bytes = padded(units_, 2u * kWidth + 10u);
-  const DepthView<std::uint16_t> view{reinterpret_cast<const std::uint16_t*>(bytes.data()), kWidth, kHeight,
-                                      2 * kWidth + 10};
+  const auto bytes = padded(units_, 2u * kViewColumns + 10u);
+  const DepthView<std::uint16_t> view{reinterpret_cast<const std::uint16_t*>(bytes.data()), kViewColumns, kViewRows,
+                                      2 * kViewColumns + 10};
   for (const ScanDirection scan : {ScanDirection::Columns, ScanDirection::Rows}) {
     Parameters parameters = Parameters::forPaper();
     parameters.scan = scan;
@@ -103,9 +103,10 @@ TEST_F(DepthViewTest, BothModesReadEveryView) {
 
 TEST_F(DepthViewTest, ImagesStoredBottomUpHaveANegativeStride) {
   std::vector<float> flipped;
-  for (int row = kHeight - 1; row >= 0; --row)
-    flipped.insert(flipped.end(), metres_.begin() + row * kWidth, metres_.begin() + (row + 1) * kWidth);
-  const DepthView<float> view{flipped.data() + (kHeight - 1) * kWidth, kWidth, kHeight, -4 * kWidth};
+  for (int row = kViewRows - 1; row >= 0; --row)
+    flipped.insert(flipped.end(), metres_.begin() + row * kViewColumns, metres_.begin() + (row + 1) * kViewColumns);
+  const DepthView<float> view{flipped.data() + (kViewRows - 1) * kViewColumns, kViewColumns, kViewRows,
+                              -4 * kViewColumns};
   EXPECT_EQ(segmented(DepthFrame::fromDepth(view, camera())).labels, expected().labels);
 }
 
@@ -120,13 +121,14 @@ TEST_F(DepthViewTest, UnusableViewsSayWhy) {
     Status status;
     const char* words;
   } cases[] = {
-      {DepthFrame::fromDepth(DepthView<float>{nullptr, kWidth, kHeight}, camera()), Status::EmptyCloud, "empty"},
-      {DepthFrame::fromDepth(DepthView<float>{data, 0, kHeight}, camera()), Status::EmptyCloud, "empty"},
-      {DepthFrame::fromDepth(DepthView<float>{data, kWidth, kHeight}, other), Status::SizeMismatch, "size"},
-      {DepthFrame::fromDepth(DepthView<float>{data, kWidth, kHeight}, no_focus), Status::InvalidCamera, "fx"},
-      {DepthFrame::fromDepth(DepthView<float>{data, kWidth, kHeight, kWidth}, camera()), Status::SizeMismatch,
-       "stride"},
-      {DepthFrame::fromDepth(DepthView<float>{data, kWidth, kHeight, 0, 0.0}, camera()), Status::InvalidCamera,
+      {DepthFrame::fromDepth(DepthView<float>{nullptr, kViewColumns, kViewRows}, camera()), Status::EmptyCloud,
+       "empty"},
+      {DepthFrame::fromDepth(DepthView<float>{data, 0, kViewRows}, camera()), Status::EmptyCloud, "empty"},
+      {DepthFrame::fromDepth(DepthView<float>{data, kViewColumns, kViewRows}, other), Status::SizeMismatch, "size"},
+      {DepthFrame::fromDepth(DepthView<float>{data, kViewColumns, kViewRows}, no_focus), Status::InvalidCamera, "fx"},
+      {DepthFrame::fromDepth(DepthView<float>{data, kViewColumns, kViewRows, kViewColumns}, camera()),
+       Status::SizeMismatch, "stride"},
+      {DepthFrame::fromDepth(DepthView<float>{data, kViewColumns, kViewRows, 0, 0.0}, camera()), Status::InvalidCamera,
        "scale"},
   };
   for (const auto& bad : cases) {

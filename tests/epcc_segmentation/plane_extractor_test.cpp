@@ -22,14 +22,14 @@ using epcc::ScanDirection;
 using epcc::SensorModel;
 using epcc::test::RenderedRoom;
 
-RenderedRoom noisyRoom(unsigned seed = 1, int width = 160, int height = 120) {
+RenderedRoom roomOfD435i(unsigned seed = 1, int width = 160, int height = 120) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
   epcc::test::addNoise(room, *SensorModel::preset("d435i"), seed);
   return room;
 }
 
-PlaneSegmentation extract(const DepthFrame& frame, const Parameters& parameters = Parameters::forPaper(),
-                          const SensorModel& sensor = *SensorModel::preset("d435i")) {
+PlaneSegmentation extractPaper(const DepthFrame& frame, const Parameters& parameters = Parameters::forPaper(),
+                               const SensorModel& sensor = *SensorModel::preset("d435i")) {
   PlaneExtractor extractor(parameters, sensor);
   PlaneSegmentation result;
   EXPECT_TRUE(extractor.extract(frame, result)) << extractor.error();
@@ -56,7 +56,7 @@ TEST(PlaneExtractor, ExactRoomIsItsThreePlanes) {
   for (const ScanDirection scan : {ScanDirection::Columns, ScanDirection::Rows}) {
     Parameters parameters = Parameters::forPaper();
     parameters.scan = scan;
-    const auto result = extract(room.frame(), parameters, *SensorModel::preset("rendered"));
+    const auto result = extractPaper(room.frame(), parameters, *SensorModel::preset("rendered"));
     ASSERT_EQ(result.planes.size(), 3u);
     for (std::int32_t truth = 1; truth <= 3; ++truth) EXPECT_GT(coverage(room, result, truth), 0.95) << truth;
     for (const auto& plane : result.planes) {
@@ -70,8 +70,8 @@ TEST(PlaneExtractor, ExactRoomIsItsThreePlanes) {
 TEST(PlaneExtractor, NoisyRoomIsItsThreePlanes) {
   int exact_count = 0;
   for (unsigned seed = 0; seed < 10; ++seed) {
-    const auto room = noisyRoom(seed, 320, 240);
-    const auto result = extract(room.frame());
+    const auto room = roomOfD435i(seed, 320, 240);
+    const auto result = extractPaper(room.frame());
     exact_count += result.planes.size() == 3 ? 1 : 0;
     for (std::int32_t truth = 1; truth <= 3; ++truth)
       EXPECT_GT(coverage(room, result, truth), 0.85) << "plane " << truth << " seed " << seed;
@@ -80,7 +80,7 @@ TEST(PlaneExtractor, NoisyRoomIsItsThreePlanes) {
 }
 
 TEST(PlaneExtractor, TransposingTheImageAndSwappingTheScanTransposesTheLabels) {
-  const auto room = noisyRoom();
+  const auto room = roomOfD435i();
   const auto& camera = room.camera;
   RenderedRoom transposed;
   transposed.camera = {camera.height, camera.width, camera.fy, camera.fx, camera.cy, camera.cx};
@@ -91,8 +91,8 @@ TEST(PlaneExtractor, TransposingTheImageAndSwappingTheScanTransposesTheLabels) {
     Parameters parameters = Parameters::forPaper();
     Parameters swapped = parameters;
     (by_rows ? parameters : swapped).scan = ScanDirection::Rows;
-    const auto result = extract(room.frame(), parameters);
-    const auto result_transposed = extract(transposed.frame(), swapped);
+    const auto result = extractPaper(room.frame(), parameters);
+    const auto result_transposed = extractPaper(transposed.frame(), swapped);
     ASSERT_GT(result.planes.size(), 0u);
     ASSERT_EQ(result.planes.size(), result_transposed.planes.size());
     for (int row = 0; row < camera.height; ++row)
@@ -106,23 +106,23 @@ TEST(PlaneExtractor, TransposingTheImageAndSwappingTheScanTransposesTheLabels) {
 }
 
 TEST(PlaneExtractor, ScalingDepthNoiseAndGapTogetherKeepsTheLabels) {
-  const auto room = noisyRoom();
+  const auto room = roomOfD435i();
   Parameters parameters = Parameters::forPaper();
-  const auto result = extract(room.frame(), parameters);
+  const auto result = extractPaper(room.frame(), parameters);
   RenderedRoom scaled = room;
   const float s = 4.0f;
   for (float& z : scaled.depth) z *= s;
   parameters.paper.max_gap *= s;
   // sigma(s z) = s (k1 z^2 + k2 z + k3)
   const auto sensor = SensorModel::polynomial(0.006954 / s, -0.003713, 0.001153 * s, 2.0);
-  const auto scaled_result = extract(scaled.frame(), parameters, sensor);
+  const auto scaled_result = extractPaper(scaled.frame(), parameters, sensor);
   ASSERT_GT(result.planes.size(), 0u);
   EXPECT_EQ(result.labels, scaled_result.labels);
 }
 
 TEST(PlaneExtractor, TwoCallsOnOneObjectGiveTheSameBits) {
-  const auto room = noisyRoom(1);
-  const auto other = noisyRoom(2, 90, 70);
+  const auto room = roomOfD435i(1);
+  const auto other = roomOfD435i(2, 90, 70);
   PlaneExtractor extractor;
   PlaneSegmentation first, second;
   ASSERT_TRUE(extractor.extract(room.frame(), first));
@@ -137,17 +137,17 @@ TEST(PlaneExtractor, TwoCallsOnOneObjectGiveTheSameBits) {
 }
 
 TEST(PlaneExtractor, TheNumberOfThreadsChangesNothing) {
-  const auto room = noisyRoom();
-  const auto one = extract(room.frame());
+  const auto room = roomOfD435i();
+  const auto one = extractPaper(room.frame());
   for (const int threads : {2, 3, 200}) {
     Parameters parameters = Parameters::forPaper();
     parameters.threads = threads;
-    EXPECT_EQ(extract(room.frame(), parameters).labels, one.labels) << threads;
+    EXPECT_EQ(extractPaper(room.frame(), parameters).labels, one.labels) << threads;
   }
 }
 
 TEST(PlaneExtractor, CloudOfTheSamePointsGivesTheSameLabels) {
-  const auto room = noisyRoom();
+  const auto room = roomOfD435i();
   std::vector<float> xyz;
   Eigen::Vector3d p;
   for (int row = 0; row < room.camera.height; ++row)
@@ -157,29 +157,29 @@ TEST(PlaneExtractor, CloudOfTheSamePointsGivesTheSameLabels) {
     }
   const auto cloud =
       DepthFrame::fromPoints(xyz.data(), 3, room.camera.width, room.camera.height, epcc::Projection::Perspective);
-  const auto a = extract(room.frame()).labels;
-  const auto b = extract(cloud).labels;
+  const auto a = extractPaper(room.frame()).labels;
+  const auto b = extractPaper(cloud).labels;
   long differ = 0;
   for (std::size_t i = 0; i < a.size(); ++i) differ += a[i] != b[i] ? 1 : 0;
   EXPECT_LT(differ, static_cast<long>(a.size()) / 1000);  // single precision points
 }
 
 TEST(PlaneExtractor, MaskedPixelsAreNeverLabelled) {
-  const auto room = noisyRoom();
+  const auto room = roomOfD435i();
   std::vector<std::uint8_t> mask(room.depth.size());
   for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = room.labels[i] == 2 ? 0 : 1;
-  const auto result = extract(room.frame().masked(mask.data()));
+  const auto result = extractPaper(room.frame().masked(mask.data()));
   EXPECT_EQ(result.planes.size(), 2u);
   for (std::size_t i = 0; i < mask.size(); ++i) ASSERT_TRUE(mask[i] == 1 || result.labels[i] == 0);
 }
 
 TEST(PlaneExtractor, MinPointsDropsSmallPlanes) {
-  const auto room = noisyRoom();
-  const auto all = extract(room.frame());
+  const auto room = roomOfD435i();
+  const auto all = extractPaper(room.frame());
   ASSERT_GE(all.planes.size(), 3u);
   Parameters parameters = Parameters::forPaper();
   parameters.paper.min_points = static_cast<int>(all.planes[0].pixel_count);
-  const auto result = extract(room.frame(), parameters);
+  const auto result = extractPaper(room.frame(), parameters);
   ASSERT_EQ(result.planes.size(), 1u);
   EXPECT_EQ(result.planes[0].pixel_count, all.planes[0].pixel_count);
 }
@@ -189,7 +189,7 @@ TEST(PlaneExtractor, FramesWithoutPlanesAreNoError) {
   for (const float value :
        {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     const std::vector<float> depth(32 * 24, value);
-    const auto result = extract(DepthFrame::fromDepth(depth.data(), camera));
+    const auto result = extractPaper(DepthFrame::fromDepth(depth.data(), camera));
     EXPECT_TRUE(result.planes.empty());
     EXPECT_EQ(result.labels, std::vector<std::int32_t>(32 * 24, 0));
   }
@@ -197,12 +197,12 @@ TEST(PlaneExtractor, FramesWithoutPlanesAreNoError) {
 
 TEST(PlaneExtractor, OneRowAndOneColumnHaveNoPlane) {
   const std::vector<float> depth(500, 2.0f);
-  EXPECT_TRUE(extract(DepthFrame::fromDepth(depth.data(), {500, 1, 400.0, 400.0, 250.0, 0.0})).planes.empty());
-  EXPECT_TRUE(extract(DepthFrame::fromDepth(depth.data(), {1, 500, 400.0, 400.0, 0.0, 250.0})).planes.empty());
+  EXPECT_TRUE(extractPaper(DepthFrame::fromDepth(depth.data(), {500, 1, 400.0, 400.0, 250.0, 0.0})).planes.empty());
+  EXPECT_TRUE(extractPaper(DepthFrame::fromDepth(depth.data(), {1, 500, 400.0, 400.0, 0.0, 250.0})).planes.empty());
 }
 
 TEST(PlaneExtractor, HugeAndTinyDepthsStayFiniteAndHugeOnesAreHoles) {
-  auto room = noisyRoom();
+  auto room = roomOfD435i();
   auto holes = room;
   const int spoilt_columns = room.camera.width / 4;
   for (std::size_t i = 0; i < room.depth.size(); i += 7)
@@ -210,18 +210,18 @@ TEST(PlaneExtractor, HugeAndTinyDepthsStayFiniteAndHugeOnesAreHoles) {
       room.depth[i] = i % 2 == 0 ? 3e38f : 1e-38f;
       holes.depth[i] = i % 2 == 0 ? 0.0f : 1e-38f;
     }
-  const auto result = extract(room.frame());
+  const auto result = extractPaper(room.frame());
   ASSERT_FALSE(result.planes.empty());
   for (const auto& plane : result.planes) {
     EXPECT_TRUE(plane.coefficients.allFinite() && plane.coefficients_covariance.allFinite());
     EXPECT_TRUE(std::isfinite(plane.rms));
   }
-  EXPECT_EQ(result.labels, extract(holes.frame()).labels);
+  EXPECT_EQ(result.labels, extractPaper(holes.frame()).labels);
 }
 
 TEST(PlaneExtractor, BadInputIsNamedAndClearsTheResult) {
-  const auto room = noisyRoom();
-  PlaneSegmentation result = extract(room.frame());
+  const auto room = roomOfD435i();
+  PlaneSegmentation result = extractPaper(room.frame());
   ASSERT_FALSE(result.planes.empty());
 
   Parameters invalid;
@@ -277,7 +277,7 @@ TEST(PlaneExtractor, MeasuresTheSensorUnlessAModelIsGiven) {
 }
 
 TEST(PlaneExtractor, WorksAfterItsMemoryWasMovedAway) {
-  const auto room = noisyRoom();
+  const auto room = roomOfD435i();
   PlaneExtractor extractor;
   PlaneExtractor other = std::move(extractor);
   PlaneSegmentation result, expected;
@@ -288,7 +288,7 @@ TEST(PlaneExtractor, WorksAfterItsMemoryWasMovedAway) {
 }
 
 TEST(PlaneExtractor, AbsurdSensorsAndCamerasAreRefused) {
-  const auto room = noisyRoom();
+  const auto room = roomOfD435i();
   PlaneSegmentation result;
   for (const SensorModel& absurd :
        {SensorModel::axial(1e160, 0.0), SensorModel::axial(0.001, 1e300), SensorModel::polynomial(1e300, 0.0, 0.001)}) {
@@ -308,7 +308,7 @@ TEST(PlaneExtractor, AbsurdSensorsAndCamerasAreRefused) {
 }
 
 TEST(PlaneExtractor, ChangesBetweenFramesLeaveNothingBehind) {
-  const auto room = noisyRoom();
+  const auto room = roomOfD435i();
   const SensorModel fine = *SensorModel::preset("d435i");
   const SensorModel coarse = SensorModel::axial(0.05, 0.0);
   Parameters rows;
@@ -320,7 +320,7 @@ TEST(PlaneExtractor, ChangesBetweenFramesLeaveNothingBehind) {
     changed.setParameters(parameters);
     changed.setSensor(fine);
     ASSERT_TRUE(changed.extract(room.frame(), result));
-    EXPECT_EQ(result.labels, extract(room.frame(), parameters).labels);
+    EXPECT_EQ(result.labels, extractPaper(room.frame(), parameters).labels);
   }
 }
 

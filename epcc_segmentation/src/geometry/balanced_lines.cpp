@@ -4,18 +4,16 @@
 
 #include <cmath>
 
+#include "geometry/flat_cross.h"
+
 namespace epcc {
 
 namespace {
 
-constexpr double kStraight = 0.3;  // sine of the angle below which two sides have no place where they meet
-constexpr double kFarthest = 0.9;  // pixels
+constexpr double kStraight = 0.3;      // sine of the angle below which two sides have no place where they meet
+constexpr double kLargestShift = 0.9;  // pixels
 constexpr int kBalancingPasses = 3;
 constexpr double kStays = 1e-6;  // pixels: a side along the pixels' edges is where it is
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// A side of the drawn line and how far it moves along its normal.
 struct Side {
@@ -46,7 +44,7 @@ Eigen::Vector2d corner(const Side& before, const Side& after) {
     shift.y() = (after.move * before.normal.x() - before.move * after.normal.x()) / turn;
   }
   const double distance = shift.norm();
-  if (distance > kFarthest) shift *= kFarthest / distance;
+  if (distance > kLargestShift) shift *= kLargestShift / distance;
   return shift;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "geometry/balanced_lines.h"
+#include "geometry/flat_cross.h"
 
 namespace epcc {
 
@@ -17,10 +18,6 @@ constexpr double kLeastTolerance = 1e-6;  // pixels: corners on a straight line 
 constexpr double kMostNoise = 4.0;        // times tolerance_pixels
 constexpr double kLeastScale = 0.1;
 constexpr double kJunctionReach = 1.5;  // times max_offset: a point of three planes may be this far from the corner
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 }  // namespace
 

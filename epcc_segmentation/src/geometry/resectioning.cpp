@@ -20,7 +20,7 @@ constexpr double kFewest = 24.0;  // points
 constexpr double kOutlier = 6.0;
 constexpr double kExact = 1e-6;
 // The camera is at most so many times the size of the cloud away: seen from farther, rays are parallel.
-constexpr double kFarthest = 1e3;
+constexpr double kFarthestOrigin = 1e3;
 
 /// Pixels and points in numbers near one.
 struct Normalization {
@@ -161,7 +161,7 @@ class Camera {
     pose.axes = cameraAxes(m);
     if constexpr (D == 4) {
       const Eigen::Vector3d origin = -m.inverse() * p_.col(3);
-      if (!(origin.norm() < kFarthest)) return std::nullopt;
+      if (!(origin.norm() < kFarthestOrigin)) return std::nullopt;
       pose.origin = normal_.centre + normal_.size * origin;
     }
     return pose.axes.allFinite() && pose.origin.allFinite() ? std::optional<PoseHypothesis>(pose) : std::nullopt;

@@ -18,7 +18,7 @@ namespace {
 constexpr int kParameters = 5;
 constexpr int kMaxSteps = 30;
 constexpr double kStepOfDerivative = 1e-5;
-constexpr double kOutlier = 5.0;  // times the median residual
+constexpr double kOutlierRatio = 5.0;  // times the median residual
 using Step = Eigen::Matrix<double, kParameters, 1>;
 
 std::size_t ringOf(const PointLattice::Point& point, bool rings_are_columns) {
@@ -50,7 +50,7 @@ Eigen::Vector3d upwards(const Eigen::Vector3d& axis) {
   return axis(largest) < 0.0 ? Eigen::Vector3d(-axis) : axis;
 }
 
-double wrapped(double angle) {
+double halfTurnAtMost(double angle) {
   return std::remainder(angle, 2.0 * M_PI);
 }
 
@@ -94,7 +94,7 @@ class TableResiduals {
     for (std::size_t g = 0; g < groups; ++g) sine_[g] = std::atan2(sine_[g], cosine_[g]);
     for (std::size_t i = 0; i < points.size(); ++i) {
       double& value = values[2 * i + part];
-      value = wrapped(value - sine_[groupOf(i)]);
+      value = halfTurnAtMost(value - sine_[groupOf(i)]);
     }
   }
 
@@ -210,13 +210,13 @@ void refineScanner(const PointLattice& lattice, PoseHypothesis& pose) {
   for (int k = 0; k < kMaxSteps; ++k) {
     sorted.assign(residuals.begin(), residuals.end());
     for (double& r : sorted) r = std::abs(r);
-    const double limit = std::pow(std::max(kOutlier * median(sorted), 1e-9), 2.0);
+    const double limit = std::pow(std::max(kOutlierRatio * median(sorted), 1e-9), 2.0);
     const double before = cost(residuals, limit);
     for (int j = 0; j < kParameters; ++j) {
       measure(moved(pose, kStepOfDerivative * Step::Unit(j), length), derivatives[static_cast<std::size_t>(j)]);
       for (std::size_t i = 0; i < residuals.size(); ++i)
         derivatives[static_cast<std::size_t>(j)][i] =
-            wrapped(derivatives[static_cast<std::size_t>(j)][i] - residuals[i]) / kStepOfDerivative;
+            halfTurnAtMost(derivatives[static_cast<std::size_t>(j)][i] - residuals[i]) / kStepOfDerivative;
     }
     Eigen::Matrix<double, kParameters, kParameters> square = Eigen::Matrix<double, kParameters, kParameters>::Zero();
     Step gradient = Step::Zero();

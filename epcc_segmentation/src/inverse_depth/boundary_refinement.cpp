@@ -14,7 +14,7 @@ namespace epcc {
 
 namespace {
 
-constexpr int kBands = 16;                  // of rows, for the threads
+constexpr int kRefinedBands = 16;           // of rows, for the threads
 constexpr std::size_t kPart = 256;          // pixels of a frontier: what is noted of them stays in the cache
 constexpr std::size_t kWorthThreads = 100;  // changes before a pass: then it takes longer than to share it out
 
@@ -31,7 +31,7 @@ class Refiner {
         moves_(map.moves) {
     moves_.begin(map.regions.size());
     memory_.parts.resize(static_cast<std::size_t>(std::max(1, threads)));
-    memory_.bands.resize(kBands);
+    memory_.bands.resize(kRefinedBands);
     for (Part& part : memory_.parts) {
       part.borders.resize(image.width);
       part.upper_labelled.assign(words_, 0);
@@ -82,10 +82,10 @@ class Refiner {
   /// Calls work(band, first row, end row, the thread's memory).
   template <typename Work>
   void forBands(int threads, const Work& work) {
-    sharedFor(kBands, threads, [&](int thread, int first, int end) {
+    sharedFor(kRefinedBands, threads, [&](int thread, int first, int end) {
       for (int k = first; k < end; ++k)
-        work(memory_.bands[static_cast<std::size_t>(k)], image_.height * k / kBands, image_.height * (k + 1) / kBands,
-             memory_.parts[static_cast<std::size_t>(thread)]);
+        work(memory_.bands[static_cast<std::size_t>(k)], image_.height * k / kRefinedBands,
+             image_.height * (k + 1) / kRefinedBands, memory_.parts[static_cast<std::size_t>(thread)]);
     });
   }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int kLineStep = 2;
 constexpr std::uint64_t kEvenColumns = 0x5555555555555555;
 
-constexpr int kBands = 8;  // of rows and of columns
+constexpr int kWalkedBands = 8;  // of rows and of columns
 
 /// Looks from both ends of a run of labels along its line, behind what is in front of the run's plane: on the lines of
 /// a band.
@@ -187,12 +187,12 @@ void findOccludedContacts(const InverseDepthImage& image, double max_occluder, d
     const RegionPlane plane(region);
     memory.planes.push_back({plane.q.x(), plane.q.y(), plane.q.z(), residual * residual * plane.slope_factor});
   }
-  memory.bands.resize(kBands);
+  memory.bands.resize(kWalkedBands);
   const auto walk = [&](int lines, void (OcclusionWalk::*walkBand)(int, int)) {
-    sharedFor(kBands, threads, [&](int /*thread*/, int first, int end) {
+    sharedFor(kWalkedBands, threads, [&](int /*thread*/, int first, int end) {
       for (int k = first; k < end; ++k) {
         OcclusionWalk band(image, max_occluder, map, memory, memory.bands[static_cast<std::size_t>(k)]);
-        (band.*walkBand)(lines * k / kBands, lines * (k + 1) / kBands);
+        (band.*walkBand)(lines * k / kWalkedBands, lines * (k + 1) / kWalkedBands);
       }
     });
   };

@@ -41,7 +41,7 @@ namespace {
 
 // However many threads there are, contacts are summed in as many bands of rows: one order of all sums. They are few,
 // for what they find has to be brought together.
-constexpr int kBands = 2;
+constexpr int kContactBands = 2;
 
 /// Finds where labels follow each other on a row or column. Inside a region nothing needs to be looked at: each row
 /// tells by bits where a label begins or ends, to the left and above.
@@ -194,14 +194,14 @@ class ContactSearch {
 
 void findContacts(const InverseDepthImage& image, int bridge, double residual, const RegionMap& map,
                   std::vector<ContactSearchMemory>& memory, RegionContacts& contacts, int threads) {
-  memory.resize(kBands);
-  sharedFor(kBands, threads, [&](int /*thread*/, int first, int end) {
+  memory.resize(kContactBands);
+  sharedFor(kContactBands, threads, [&](int /*thread*/, int first, int end) {
     for (int band = first; band < end; ++band) {
       ContactSearchMemory& own = memory[static_cast<std::size_t>(band)];
       RegionContacts& found = band == 0 ? contacts : own.contacts;
       found.clear();
       ContactSearch(image, bridge, residual, map, own, found)
-          .search(image.height * band / kBands, image.height * (band + 1) / kBands);
+          .search(image.height * band / kContactBands, image.height * (band + 1) / kContactBands);
     }
   });
   for (std::size_t band = 1; band < memory.size(); ++band) contacts += memory[band].contacts;

@@ -12,7 +12,7 @@ namespace epcc {
 namespace {
 
 // However many threads there are, the rows are summed in as many bands: one order of all sums.
-constexpr int kBands = 4;
+constexpr int kSummedBands = 4;
 
 PlaneMoments momentsOf(const RaySums& s, bool spherical) {
   PlaneMoments moments;
@@ -46,12 +46,12 @@ void addRows(const InverseDepthImage& image, const std::vector<std::int32_t>& la
 
 void RegionMap::accumulate(const InverseDepthImage& image, int threads) {
   const std::size_t count = regions.size();
-  sums.resize(static_cast<std::size_t>(kBands) * count);
-  sharedFor(kBands, threads, [&](int /*thread*/, int first, int end) {
+  sums.resize(static_cast<std::size_t>(kSummedBands) * count);
+  sharedFor(kSummedBands, threads, [&](int /*thread*/, int first, int end) {
     for (int band = first; band < end; ++band) {
       RaySums* own = sums.data() + static_cast<std::size_t>(band) * count;
       std::fill(own, own + count, RaySums());
-      addRows(image, labels, image.height * band / kBands, image.height * (band + 1) / kBands, own);
+      addRows(image, labels, image.height * band / kSummedBands, image.height * (band + 1) / kSummedBands, own);
     }
   });
   for (std::size_t k = 0; k < count; ++k) {

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "pi.h"
+
 namespace epcc {
 
 namespace {
@@ -15,7 +17,6 @@ namespace {
 constexpr double kMaxSlopeFactor = 26.0;  // slopeFactor() is clipped
 constexpr double kGrowth = 1.1;           // of a region's pixels, until all its contacts are judged again
 constexpr double kBendingReach = 20.0;  // grid pixels, 320 to the longer side: how far the bending of depth is the same
-constexpr double kPi = 3.14159265358979323846;
 
 /// What the slow bending of a sensor adds to the squared offset of two regions, in squared region tolerances. It is the
 /// same on both sides of a border and differs farther apart, so that deep regions lie off each other by more than

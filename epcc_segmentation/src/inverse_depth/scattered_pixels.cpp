@@ -16,7 +16,7 @@ constexpr double kManyPixels = 0.6;    // of all: such a frame is not asked furt
 constexpr double kScattered = 0.7;     // share of valid pixels whose neighbour is valid; whole surfaces have over 0.9
 constexpr double kHoldTogether = 0.8;  // the same of blocks
 constexpr double kAlike = 0.1;         // shares that differ less grow together
-constexpr int kLargestStep = 16;
+constexpr int kLargestGridStep = 16;
 constexpr int kFewestBlocks = 8;  // along a row or a column
 
 /// Valid pixels, and how many of them have a valid neighbour to the right and below.
@@ -76,7 +76,7 @@ struct PlaceInBlock {
 
 /// All of them, those next to the middle first.
 struct BlockOrder {
-  std::array<PlaceInBlock, static_cast<std::size_t>(kLargestStep) * kLargestStep> places;
+  std::array<PlaceInBlock, static_cast<std::size_t>(kLargestGridStep) * kLargestGridStep> places;
   int count = 0;
 
   explicit BlockOrder(const GridSteps& steps) {
@@ -138,7 +138,7 @@ GridSteps ScatteredPixels::chooseSteps(const InverseDepthImage& image) {
     GridSteps next = steps;
     if (across < along + kAlike && image.width >= kFewestBlocks * (steps.across + 1)) ++next.across;
     if (along < across + kAlike && image.height >= kFewestBlocks * (steps.along + 1)) ++next.along;
-    if (next == steps || std::max(next.across, next.along) > kLargestStep) return steps;
+    if (next == steps || std::max(next.across, next.along) > kLargestGridStep) return steps;
     steps = next;
   }
 }

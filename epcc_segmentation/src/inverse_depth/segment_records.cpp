@@ -72,8 +72,8 @@ struct GridSample {
 
 /// The samples of a column of the grid, which are those of one column of the view, or where pixels are scattered lie
 /// in a few adjacent ones.
-void readGridColumn(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& numbers, int grid_column,
-                    ScanLine& line, std::vector<GridSample>& samples) {
+void readGridColumn(const DepthFrame& view, const SensorModel& sensor, const GridSegmentNumbers& numbers,
+                    int grid_column, ScanLine& line, std::vector<GridSample>& samples) {
   samples.clear();
   const GridSteps& steps = numbers.steps;
   if (numbers.pixels == nullptr) {
@@ -102,7 +102,7 @@ void readGridColumn(const DepthFrame& view, const SensorModel& sensor, const Seg
 
 }  // namespace
 
-void appendSegments(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& segment_of,
+void appendSegments(const DepthFrame& view, const SensorModel& sensor, const GridSegmentNumbers& segment_of,
                     const std::vector<std::int32_t>& labels, SegmentFitter& fitter,
                     std::vector<LineSegment>& segments) {
   ScanLine line;

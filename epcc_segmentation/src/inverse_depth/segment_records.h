@@ -15,7 +15,7 @@
 namespace epcc {
 
 /// Each sample's segment by its number within its column of a view, -1 none.
-struct SegmentNumbers {
+struct GridSegmentNumbers {
   const std::int32_t* numbers = nullptr;
   std::size_t next_column = 0, next_row = 0;  ///< steps
   GridSteps steps = {};                       ///< of the samples, in the view
@@ -33,7 +33,7 @@ struct SegmentNumbers {
 
 /// Appends the segments of those columns of the view that are scan lines of the grid. `labels` are the final ones, in
 /// the order of the caller's arrays. Each is given to `fitter`, which is to finish them.
-void appendSegments(const DepthFrame& view, const SensorModel& sensor, const SegmentNumbers& segment_of,
+void appendSegments(const DepthFrame& view, const SensorModel& sensor, const GridSegmentNumbers& segment_of,
                     const std::vector<std::int32_t>& labels, SegmentFitter& fitter, std::vector<LineSegment>& segments);
 
 }  // namespace epcc

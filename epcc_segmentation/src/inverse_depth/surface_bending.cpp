@@ -12,11 +12,11 @@ namespace epcc {
 namespace {
 
 // However many threads there are, the rows are summed in as many bands: one order of all sums.
-constexpr int kBands = 4;
+constexpr int kViewedBands = 4;
 
 void listViews(const InverseDepthImage& image, const RegionMap& map, const std::vector<std::uint8_t>& wanted,
                BendingMemory& memory) {
-  memory.bands.resize(kBands);
+  memory.bands.resize(kViewedBands);
   std::vector<RegionView>& views = memory.bands.front().views;
   views.clear();
   memory.view_of.assign(map.regions.size() + 1, -1);
@@ -49,7 +49,7 @@ void addRuns(const InverseDepthImage& image, const RegionMap& map, const std::ve
 void measureBending(const InverseDepthImage& image, const RegionMap& map, const std::vector<std::uint8_t>& wanted,
                     BendingMemory& memory, int threads) {
   listViews(image, map, wanted, memory);
-  sharedFor(kBands, threads, [&](int /*thread*/, int first, int end) {
+  sharedFor(kViewedBands, threads, [&](int /*thread*/, int first, int end) {
     for (int k = first; k < end; ++k) {
       BendingMemory::Band& band = memory.bands[static_cast<std::size_t>(k)];
       band.left.assign(wordsOf(image.width), 0);
@@ -57,7 +57,7 @@ void measureBending(const InverseDepthImage& image, const RegionMap& map, const 
         return std::any_of(band.views.begin(), band.views.end(),
                            [row](const RegionView& view) { return view.isOnGrid(row); });
       };
-      for (int row = image.height * k / kBands; row < image.height * (k + 1) / kBands; ++row)
+      for (int row = image.height * k / kViewedBands; row < image.height * (k + 1) / kViewedBands; ++row)
         if (isWanted(row)) addRuns(image, map, memory.view_of, row, band);
     }
   });

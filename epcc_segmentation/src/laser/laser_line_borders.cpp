@@ -7,12 +7,12 @@
 namespace epcc {
 namespace {
 
-constexpr int kRounds = 3;
+constexpr int kBorderRounds = 3;
 // A point at the end of a line must be nearer than others, in sigma^2: it may belong to a surface that comes next and
 // is too small to be a line.
 constexpr double kMostAtEnd = 4.0;
-constexpr double kStray = 25.0;  // sigma^2: a point no farther off is not taken, but it is no opening in the line
-constexpr int kFewest = 4;       // points with which a line lives on until the last round
+constexpr double kStray = 25.0;   // sigma^2: a point no farther off is not taken, but it is no opening in the line
+constexpr int kFewestOfLine = 4;  // points with which a line lives on until the last round
 
 /// Squared error in sigma^2, no more than `most`.
 double cappedError(const RangeLine& line, const LaserSample& sample, double most) {
@@ -92,10 +92,10 @@ void dropBelow(std::size_t points, std::vector<GrownLaserLine>& lines) {
 void settleBorders(const std::vector<LaserSample>& samples, const SensorModel& noise,
                    const LaserLineParameters& parameters, std::vector<GrownLaserLine>& lines) {
   const double most = 2.0 * parameters.k_max * parameters.k_max;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kBorderRounds; ++round) {
     for (GrownLaserLine& grown : lines)
       if (fitRangeLine(samples, grown.members, noise, grown.line) < 0.0) grown.members.clear();
-    dropBelow(kFewest, lines);
+    dropBelow(kFewestOfLine, lines);
     std::vector<int> borders{0};
     for (std::size_t k = 1; k < lines.size(); ++k)
       borders.push_back(borderBetween(samples, lines[k - 1], lines[k], most));
@@ -104,7 +104,7 @@ void settleBorders(const std::vector<LaserSample>& samples, const SensorModel& n
       lines[k].members = ownSamples(samples, lines[k], borders[k], borders[k + 1], most, parameters.max_gap);
       trimEnds(samples, most, lines[k]);
     }
-    dropBelow(round + 1 < kRounds ? kFewest : static_cast<std::size_t>(parameters.min_points), lines);
+    dropBelow(round + 1 < kBorderRounds ? kFewestOfLine : static_cast<std::size_t>(parameters.min_points), lines);
   }
 }
 

@@ -13,7 +13,7 @@
 namespace epcc {
 
 namespace {
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoPlane = std::numeric_limits<std::size_t>::max();
 constexpr double kBeyond = 1.0 + 1e-9;       // a cost that is larger than the limit, whatever the rounding
 constexpr std::size_t kForgottenLines = 32;  // at once: what is kept has to move
 constexpr double kMinMeanDistance = 1e-6;    // floor of mu_jd, metres: Eq. 26 is 0/0 at the start
@@ -89,7 +89,7 @@ void PlaneClustering::addLine(const std::vector<ClusteredLine>& line_segments) {
       continue;
     }
     const std::size_t partner = startPartner(segments_[i], line);
-    if (partner != kNone) startPlane(partner, i);
+    if (partner != kNoPlane) startPlane(partner, i);
   }
 }
 
@@ -173,7 +173,7 @@ std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t li
   const Eigen::Vector3d direction = (segment.b - segment.a).normalized();
   const auto look_back = std::min(line, static_cast<std::size_t>(parameters_.expert.planes.pair_look_back));
   double best_ratio = 0.25 * parameters_.plane_k_max * parameters_.plane_k_max;
-  std::size_t best = kNone;
+  std::size_t best = kNoPlane;
   for (std::size_t back = 1; back <= look_back; ++back) {
     const Line& previous = lines_[line - back];
     for (std::size_t j = previous.begin; j < previous.end; ++j) {
@@ -185,7 +185,7 @@ std::size_t PlaneClustering::startPartner(const Segment& segment, std::size_t li
       const double d = (segment.b - partner.a).dot(normal);
       const double q = normal.dot(segment.ray_b);
       const double ratio = d * d / std::max(segment.sensor_variance_b * q * q + segment.variance, 1e-18);
-      if (ratio > best_ratio || (best != kNone && ratio >= best_ratio)) continue;
+      if (ratio > best_ratio || (best != kNoPlane && ratio >= best_ratio)) continue;
       if (!isWithinReach(segment, partner)) continue;
       best_ratio = ratio;
       best = j;

@@ -50,7 +50,7 @@ void SumParts(const PartPixels& parts, float gate, PartSums& sums) {
   const Vector limit = hn::Set(d, gate);
   const Vector one = hn::Set(d, 1.0f);
   for (int lane = 0; lane < kParts; lane += kLanes) {
-    Vector sum[kSums];
+    Vector sum[kBlockSums];
     for (Vector& s : sum) s = hn::Zero(d);
     for (int row = 0; row < parts.side; ++row) {
       const float(*pixel)[kParts] = parts.w + row * parts.side;
@@ -94,7 +94,7 @@ void SumParts(const PartPixels& parts, float gate, PartSums& sums) {
       addPowersOfY(nexx, 2, 0, kErrorSums);
       sum[kSquareSum] = hn::Add(sum[kSquareSum], nee);
     }
-    for (int k = 0; k < kSums; ++k) hn::Store(sum[k], d, sums.of[k] + lane);
+    for (int k = 0; k < kBlockSums; ++k) hn::Store(sum[k], d, sums.of[k] + lane);
   }
 }
 
@@ -109,8 +109,8 @@ HWY_INLINE void ShiftPowers(Vector shift, const int (&place)[kHighest + 1], Vect
 void ShiftParts(const PartShifts& shifts, int count, PartSums& sums) {
   const Floats d;
   for (int lane = 0; lane < count; lane += kLanes) {
-    Vector sum[kSums];
-    for (int k = 0; k < kSums; ++k) sum[k] = hn::Load(d, sums.of[k] + lane);
+    Vector sum[kBlockSums];
+    for (int k = 0; k < kBlockSums; ++k) sum[k] = hn::Load(d, sums.of[k] + lane);
     float scale = 0.5f;
     for (int degree = 1; degree <= 2 * kDegree; ++degree, scale *= 0.5f)
       for (int j = 0; j <= degree; ++j) {
@@ -135,7 +135,7 @@ void ShiftParts(const PartShifts& shifts, int count, PartSums& sums) {
     ShiftPowers<1>(y, {termAt(3, 0), termAt(3, 1)}, sum);
     ShiftPowers<2>(y, {kE + termAt(0, 0), kE + termAt(0, 1), kE + termAt(0, 2)}, sum);
     ShiftPowers<1>(y, {kE + termAt(1, 0), kE + termAt(1, 1)}, sum);
-    for (int k = 0; k < kSums; ++k) hn::Store(sum[k], d, sums.of[k] + lane);
+    for (int k = 0; k < kBlockSums; ++k) hn::Store(sum[k], d, sums.of[k] + lane);
   }
 }
 

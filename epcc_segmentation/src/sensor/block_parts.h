@@ -19,7 +19,7 @@ constexpr int termAt(int i, int j) {
 }
 constexpr int kErrorSums = termAt(0, 2 * kDegree + 1);  // of e x^i y^j; those of x^i y^j come first
 constexpr int kSquareSum = kErrorSums + kTerms;         // of e^2
-constexpr int kSums = kSquareSum + 1;
+constexpr int kBlockSums = kSquareSum + 1;
 
 /// A block's pixels and rays, part by part. x and y run from -1 to 1 in each part.
 struct PartPixels {
@@ -33,7 +33,7 @@ struct PartPixels {
 
 /// Sums over the inliers of each part.
 struct PartSums {
-  alignas(64) float of[kSums][kParts];
+  alignas(64) float of[kBlockSums][kParts];
 };
 
 /// Where parts lie in the part that four of them make: its x is that of the small part, halved, and shift_x.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMinValidShare = 0.8;
 constexpr double kMinSamples = 6.0;
-constexpr int kPasses = 4;
+constexpr int kFitPasses = 4;
 constexpr float kFirstGate = 0.25f;  // of the median
 constexpr float kGate = 3.2f;        // in 68 % quantiles of the residual
 constexpr double kScaleQuantile = 0.68;
@@ -131,7 +131,7 @@ float roughMedian(const BlockSamples& quarter) {
 bool fitQuarter(const BlockSamples& quarter, const BlockRays& rays, float median, SamplePlane& plane, float& gate) {
   gate = kFirstGate * median;
   const auto rank = static_cast<int>(kScaleQuantile * (quarter.valid - 1));
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < kFitPasses; ++pass) {
     const Refit outcome = refit(quarter, rays, gate, plane);
     if (outcome == Refit::Impossible) return false;
     if (outcome == Refit::AtRest && pass > 0) break;

@@ -8,12 +8,13 @@
 #include <cmath>
 #include <limits>
 
+#include "pi.h"
+
 namespace epcc {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kLeastLength = 0.7;
+constexpr double kLeastTriedLength = 0.7;
 constexpr double kLengthStep = 1.05;
 constexpr double kMaxLengthOfBlock = 0.25;
 // Grain looks like a few percent of blotches; what that little does to the size of a sample would be large.
@@ -93,7 +94,7 @@ BlotchTable::BlotchTable(int block_size) {
     return kept;
   };
   white_ = keptOf(0.0);
-  for (double length = kLeastLength; length <= kMaxLengthOfBlock * block_size; length *= kLengthStep)
+  for (double length = kLeastTriedLength; length <= kMaxLengthOfBlock * block_size; length *= kLengthStep)
     entries_.push_back({length, keptOf(length)});
 }
 

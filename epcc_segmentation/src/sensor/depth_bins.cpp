@@ -13,7 +13,7 @@ namespace epcc {
 namespace {
 
 constexpr std::size_t kMinBlocksPerBin = 4;
-constexpr double kBinsPerOctave = 3.0;
+constexpr double kDepthBinsPerOctave = 3.0;
 constexpr double kLowQuantile = 0.2;
 constexpr double kClutteredBin = 1.5;    // in medians of deviation / sigma over the bins
 constexpr double kClutteredBlock = 2.0;  // in deviations of its bin
@@ -36,10 +36,10 @@ void DepthBins::sort(const std::vector<BlockResiduals>& blocks) {
   double log_depth = 0.0;
   for (const BlockResiduals& block : blocks) log_depth += std::log2(block.depth);
   // One bin is about the mean depth, so that the unit of length does not matter.
-  const double first = log_depth / static_cast<double>(blocks.size()) - 0.5 / kBinsPerOctave;
+  const double first = log_depth / static_cast<double>(blocks.size()) - 0.5 / kDepthBinsPerOctave;
   for (std::size_t i = 0; i < blocks.size(); ++i)
-    places_.push_back(
-        {static_cast<int>(std::floor(kBinsPerOctave * (std::log2(blocks[i].depth) - first))), static_cast<int>(i)});
+    places_.push_back({static_cast<int>(std::floor(kDepthBinsPerOctave * (std::log2(blocks[i].depth) - first))),
+                       static_cast<int>(i)});
   std::sort(places_.begin(), places_.end());
   for (std::size_t begin = 0, end; begin < places_.size(); begin = end) {
     for (end = begin + 1; end < places_.size() && places_[end].bin == places_[begin].bin;) ++end;

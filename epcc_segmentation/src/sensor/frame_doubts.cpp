@@ -16,8 +16,8 @@ namespace {
 constexpr double kDoubtfulError = 0.1;
 constexpr double kManyJumps = 0.1;
 constexpr float kJump = 1.1f;
-constexpr int kRowStep = 13;
-constexpr int kEnoughPairs = 100;
+constexpr int kDoubtRowStep = 13;
+constexpr int kPairsForDoubt = 100;
 constexpr double kFewPixels = 0.05;
 constexpr std::size_t kDepths = 500;  // sampled in an image, at least
 
@@ -37,7 +37,7 @@ double errorShare(const InverseDepthImage& image, const SensorEstimate& measured
 
 double jumpShare(const InverseDepthImage& image) {
   int pairs = 0, jumps = 0;
-  for (int row = kRowStep / 2; row < image.height; row += kRowStep) {
+  for (int row = kDoubtRowStep / 2; row < image.height; row += kDoubtRowStep) {
     const float* w = image.w.data() + image.index(row, 0);
     for (int i = 0; i + 1 < image.width; ++i) {
       const float least = std::min(w[i], w[i + 1]), most = std::max(w[i], w[i + 1]);
@@ -45,7 +45,7 @@ double jumpShare(const InverseDepthImage& image) {
       jumps += (least > 0.0f) & (most > kJump * least) ? 1 : 0;
     }
   }
-  return pairs >= kEnoughPairs ? static_cast<double>(jumps) / pairs : 0.0;
+  return pairs >= kPairsForDoubt ? static_cast<double>(jumps) / pairs : 0.0;
 }
 
 bool Doubts::any() const {

@@ -12,7 +12,7 @@ namespace epcc {
 
 namespace {
 
-constexpr double kMinInlierShare = 0.75;
+constexpr double kMinUsableShare = 0.75;
 
 /// The residuals of a block's inliers after a quadric; 0 elsewhere.
 struct QuadricErrors {
@@ -74,7 +74,7 @@ void ResidualCorrelation::addBlock(const FittedBlock& block) {
   const QuadricErrors errors(block);
   const double inliers = errors.inlier.sum();
   const double variance = errors.e.squaredNorm() / inliers;
-  if (!(inliers >= kMinInlierShare * block.samples.valid) || !(variance > 0.0)) return;
+  if (!(inliers >= kMinUsableShare * block.samples.valid) || !(variance > 0.0)) return;
   for (int lag = 0; lag <= side_ / 2; ++lag) {
     const int rest = side_ - lag;
     const auto pooled = [&](const Eigen::MatrixXd& f) {

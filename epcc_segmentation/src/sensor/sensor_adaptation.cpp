@@ -12,8 +12,8 @@ namespace epcc {
 
 namespace {
 
-constexpr double kDeadZone = 0.2;     // of ln(rho): what an estimate from one frame may err by
-constexpr std::size_t kDepths = 500;  // sampled in an image, at least
+constexpr double kDeadZone = 0.2;             // of ln(rho): what an estimate from one frame may err by
+constexpr std::size_t kComparedDepths = 500;  // sampled in an image, at least
 
 }  // namespace
 
@@ -21,7 +21,7 @@ SensorModel adapted(const SensorModel& given, const SensorEstimate& measured, co
                     std::vector<double>& ratios) {
   if (measured.blocks == 0) return given;
   const SensorModel model = measured.model();
-  const std::size_t step = std::max<std::size_t>(1, image.w.size() / kDepths);
+  const std::size_t step = std::max<std::size_t>(1, image.w.size() / kComparedDepths);
   ratios.clear();
   ratios.reserve(image.w.size() / step + 1);
   for (std::size_t i = step / 2; i < image.w.size(); i += step) {

@@ -10,18 +10,14 @@
 
 namespace epcc {
 
-namespace {
-
-/// Blocks of one size.
-struct OfSize {
-  explicit OfSize(int size) : correlation(size) { estimation.begin(size); }
-  ImageEstimation estimation;
-  ResidualCorrelation correlation;
-};
-
-}  // namespace
-
 struct SensorPool::Pool {
+  /// Blocks of one size.
+  struct OfSize {
+    explicit OfSize(int size) : correlation(size) { estimation.begin(size); }
+    ImageEstimation estimation;
+    ResidualCorrelation correlation;
+  };
+
   int width = 0;
   int height = 0;
   SensorCloud cloud;
@@ -57,7 +53,7 @@ bool SensorPool::add(const DepthFrame& any_frame) {
   else if (!(image.steps == pool.first.steps))
     return false;
   ++pool.frames;
-  for (OfSize& blocks : pool.sizes) {
+  for (Pool::OfSize& blocks : pool.sizes) {
     blocks.estimation.measure(image, Turn());
     blocks.correlation.add(image);
   }
@@ -70,7 +66,7 @@ std::size_t SensorPool::frames() const {
 
 SensorMeasurement SensorPool::measure() const {
   SensorMeasurement result;
-  for (OfSize& blocks : pool_->sizes) {
+  for (Pool::OfSize& blocks : pool_->sizes) {
     result = blocks.estimation.describe(pool_->first);
     if (result.estimate.blocks == 0) continue;
     result.correlation = blocks.correlation.measured();

@@ -6,22 +6,23 @@
 #include <cmath>
 #include <limits>
 
+#include "pi.h"
+
 namespace epcc {
 
 namespace {
 
-constexpr double kQuantile = 0.4;
+constexpr double kSigmaQuantile = 0.4;
 constexpr int kShapes = 13;          // from the floor alone to the growth alone
 constexpr double kPreference = 0.1;  // for the middle of them, a radian and unit of weight
-constexpr double kPi = 3.14159265358979323846;
 
-/// The least value that the values of kQuantile of the weight do not exceed.
+/// The least value that the values of kSigmaQuantile of the weight do not exceed.
 double weightedQuantile(std::vector<std::pair<double, double>>& values, double total) {
   std::sort(values.begin(), values.end());
   double weight = 0.0;
   for (const auto& [value, its_weight] : values) {
     weight += its_weight;
-    if (weight >= kQuantile * total) return value;
+    if (weight >= kSigmaQuantile * total) return value;
   }
   return values.back().first;
 }
@@ -49,7 +50,7 @@ SigmaFit SigmaFitter::fit(const std::vector<SigmaTarget>& targets) {
     const double log_size = weightedQuantile(ratios_, total);
     double loss = kPreference * total * std::abs(angle - 0.25 * kPi);
     for (const auto& [ratio, weight] : ratios_)
-      loss += weight * std::max(kQuantile * (ratio - log_size), (kQuantile - 1.0) * (ratio - log_size));
+      loss += weight * std::max(kSigmaQuantile * (ratio - log_size), (kSigmaQuantile - 1.0) * (ratio - log_size));
     if (loss >= smallest) continue;
     smallest = loss;
     best = {std::exp(log_size) * floor, std::exp(log_size) * growth / (mean_depth * mean_depth)};

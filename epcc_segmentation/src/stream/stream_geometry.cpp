@@ -4,11 +4,12 @@
 
 #include <cmath>
 
+#include "pi.h"
+
 namespace epcc {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kMaxSamples = 65536;
 constexpr double kSmallestStep = 1e-6;  // radians
 

@@ -30,23 +30,23 @@ using epcc::test::kShift;
 using epcc::test::kTurn;
 using epcc::test::moved;
 using epcc::test::PosedCloud;
-using epcc::test::room;
+using epcc::test::posedRoom;
 using epcc::test::segment;
 
 TEST(CameraGeometry, CloudsOfTheUsualFramesAreTakenAsTheyAre) {
-  const CloudGeometry forward = geometryOf(room());
+  const CloudGeometry forward = geometryOf(posedRoom());
   EXPECT_EQ(forward.status, Status::Ok);
   EXPECT_TRUE(forward.is_plain);
   EXPECT_EQ(forward.projection, Projection::Perspective);
   EXPECT_LT(forward.residual, 1e-4);
-  const CloudGeometry backward = geometryOf(moved(room(), Eigen::Vector3d(1, -1, -1).asDiagonal(), kOrigin));
+  const CloudGeometry backward = geometryOf(moved(posedRoom(), Eigen::Vector3d(1, -1, -1).asDiagonal(), kOrigin));
   EXPECT_TRUE(backward.is_plain);
   EXPECT_EQ(backward.projection, Projection::PerspectiveBackward);
 }
 
 TEST(CameraGeometry, PointsThatWereNotMeasuredMayLieBehindTheCameraOrInIt) {
   for (const float factor : {-1.0f, 0.0f}) {  // of z; some drivers write such points where they saw nothing
-    PosedCloud cloud = room();
+    PosedCloud cloud = posedRoom();
     for (std::size_t i = 0; i < cloud.size(); i += 7) {
       cloud.xyz[3 * i + 2] *= factor;
       if (factor < 0.0f)
@@ -103,7 +103,7 @@ TEST(CameraGeometry, AnyFrame) {
       {Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix(), Eigen::Vector3d(40, -70, 3)}};
   for (const auto& [axes, origin] : poses) {
     SCOPED_TRACE(testing::Message() << axes << "\n" << origin.transpose());
-    const PosedCloud cloud = moved(room(), axes, origin);
+    const PosedCloud cloud = moved(posedRoom(), axes, origin);
     const Found found = segment(cloud);
     ASSERT_EQ(found.error, "");
     EXPECT_FALSE(found.geometry.is_plain);
@@ -116,11 +116,11 @@ TEST(CameraGeometry, AnyFrame) {
 }
 
 TEST(CameraGeometry, LabelsAreThoseOfThePlainCloud) {
-  const Found plain = segment(room());
+  const Found plain = segment(posedRoom());
   for (const double unit : {1.0, 1000.0, 100.0}) {
     CloudOptions options;
     options.unit = 1.0 / unit;
-    const Found turned = segment(moved(room(), kTurn, kShift, unit), options);
+    const Found turned = segment(moved(posedRoom(), kTurn, kShift, unit), options);
     ASSERT_EQ(turned.error, "");
     std::size_t same = 0;
     for (std::size_t i = 0; i < plain.result.labels.size(); ++i)
@@ -132,7 +132,7 @@ TEST(CameraGeometry, LabelsAreThoseOfThePlainCloud) {
 }
 
 TEST(CameraGeometry, RowsAndColumnsMayBeExchangedOrReversed) {
-  const PosedCloud plain = room();
+  const PosedCloud plain = posedRoom();
   const int width = plain.width, height = plain.height;
   const PosedCloud exchanged = epcc::test::rowsAndColumnsExchanged(plain);
   const PosedCloud upside_down = epcc::test::reordered(plain, width, height, [&](int row, int column) {
@@ -149,7 +149,7 @@ TEST(CameraGeometry, RowsAndColumnsMayBeExchangedOrReversed) {
 }
 
 TEST(CameraGeometry, MillimetresAreSeenAndSaid) {
-  const PosedCloud cloud = moved(room(), kNoTurn, kOrigin, 1000.0);
+  const PosedCloud cloud = moved(posedRoom(), kNoTurn, kOrigin, 1000.0);
   const Found guessed = segment(cloud);
   EXPECT_TRUE(guessed.geometry.unit_is_guessed);
   EXPECT_EQ(guessed.geometry.unit, 0.001);
@@ -159,14 +159,14 @@ TEST(CameraGeometry, MillimetresAreSeenAndSaid) {
   known.unit = 0.001;
   EXPECT_FALSE(geometryOf(cloud, known).unit_is_guessed);
   EXPECT_EQ(segment(cloud, known).result.labels, guessed.result.labels);
-  EXPECT_FALSE(geometryOf(room()).unit_is_guessed);
-  EXPECT_FALSE(geometryOf(moved(room(), kNoTurn, Eigen::Vector3d(5000, 0, 0))).unit_is_guessed);  // a map's frame
+  EXPECT_FALSE(geometryOf(posedRoom()).unit_is_guessed);
+  EXPECT_FALSE(geometryOf(moved(posedRoom(), kNoTurn, Eigen::Vector3d(5000, 0, 0))).unit_is_guessed);  // a map's frame
 }
 
 TEST(CameraGeometry, PointsThatManyPixelsShareAreNone) {
   for (const bool is_turned : {false, true})
     for (const Eigen::Vector3f& marker : {Eigen::Vector3f(-1, -1, -1), Eigen::Vector3f(0.5f, 0.5f, 5.0f)}) {
-      const PosedCloud plain = is_turned ? moved(room(), kTurn, kShift) : room();
+      const PosedCloud plain = is_turned ? moved(posedRoom(), kTurn, kShift) : posedRoom();
       PosedCloud cloud = plain;
       for (std::size_t i = 0; i < cloud.size(); ++i)
         if (i % 7 == 0) {
@@ -182,7 +182,7 @@ TEST(CameraGeometry, PointsThatManyPixelsShareAreNone) {
 }
 
 TEST(CameraGeometry, ANamedValueIsNoPointHoweverRare) {
-  PosedCloud cloud = room();
+  PosedCloud cloud = posedRoom();
   for (int k = 0; k < 3; ++k) cloud.xyz[static_cast<std::size_t>(3 * 5000 + k)] = 9.0f;
   CloudOptions options;
   options.invalid = 9.0f;
@@ -194,7 +194,7 @@ TEST(CameraGeometry, ANamedValueIsNoPointHoweverRare) {
 }
 
 TEST(CameraGeometry, DepthsOutOfRangeAreInvalid) {
-  const PosedCloud plain = room();
+  const PosedCloud plain = posedRoom();
   const PosedCloud cloud = moved(plain, bodyAxes(), kShift);
   CloudOptions options;
   options.min_depth = 1.5;

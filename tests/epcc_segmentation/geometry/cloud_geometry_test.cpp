@@ -33,7 +33,7 @@ using epcc::test::kShift;
 using epcc::test::kTurn;
 using epcc::test::moved;
 using epcc::test::PosedCloud;
-using epcc::test::room;
+using epcc::test::posedRoom;
 using epcc::test::segment;
 
 // ---- scanners ----
@@ -182,7 +182,7 @@ TEST(CloudGeometry, OnlyTheNamedKindIsFound) {
   camera.sensor = CloudOptions::Sensor::Camera;
   EXPECT_EQ(geometryOf(epcc::test::scannerCloud(360, 32), camera).status, Status::UnknownGeometry);
   EXPECT_EQ(geometryOf(epcc::test::scannerCloud(360, 32), scanner).status, Status::Ok);
-  EXPECT_EQ(geometryOf(room(), camera).projection, Projection::Perspective);
+  EXPECT_EQ(geometryOf(posedRoom(), camera).projection, Projection::Perspective);
 }
 
 TEST(CloudGeometry, TooFewPointsCountAsACamera) {
@@ -194,7 +194,7 @@ TEST(CloudGeometry, TooFewPointsCountAsACamera) {
 }
 
 TEST(CloudGeometry, NonsenseIsRefused) {
-  const PosedCloud cloud = room();
+  const PosedCloud cloud = posedRoom();
   EXPECT_EQ(epcc::findGeometry(nullptr, 3, 10, 10).status, Status::EmptyCloud);
   CloudOptions options;
   options.unit = -1.0;
@@ -210,7 +210,7 @@ TEST(CloudGeometry, NonsenseIsRefused) {
 
 TEST(CloudGeometry, TheFinderRemembersAPoseAndNoticesAnother) {
   epcc::GeometryFinder finder;
-  const PosedCloud first = moved(room(), kTurn, kShift), second = moved(room(), bodyAxes(), kOrigin);
+  const PosedCloud first = moved(posedRoom(), kTurn, kShift), second = moved(posedRoom(), bodyAxes(), kOrigin);
   const auto find = [&](const PosedCloud& cloud) {
     return finder.find(cloud.xyz.data(), 3, cloud.width, cloud.height).pose;
   };
@@ -221,7 +221,7 @@ TEST(CloudGeometry, TheFinderRemembersAPoseAndNoticesAnother) {
 }
 
 TEST(CloudGeometry, LeastSquaresPlanesAndSensorEstimateAreThoseOfTheSensorsFrame) {
-  const PosedCloud plain = room(), turned = moved(plain, kTurn, kShift);
+  const PosedCloud plain = posedRoom(), turned = moved(plain, kTurn, kShift);
   const CloudGeometry geometry = geometryOf(turned);
   const auto own = DepthFrame::fromPoints(plain.xyz.data(), 3, plain.width, plain.height, Projection::Perspective);
   const auto frame = DepthFrame::fromPoints(turned.xyz.data(), 3, plain.width, plain.height, geometry);

@@ -96,7 +96,7 @@ inline void expectPlanesOnTheirPoints(const PosedCloud& cloud, const Found& foun
   }
 }
 
-inline PosedCloud room() {
+inline PosedCloud posedRoom() {
   return cameraCloud(renderRoom(cornerPlanes(), testCamera()));
 }
 

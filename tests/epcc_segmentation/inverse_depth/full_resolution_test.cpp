@@ -17,7 +17,7 @@ using epcc::test::RenderedRoom;
 
 using Labels = std::vector<std::int32_t>;
 
-RenderedRoom room(int width = 161, int height = 119) {
+RenderedRoom oddRoom(int width = 161, int height = 119) {
   return epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
 }
 
@@ -52,7 +52,7 @@ double disagreement(const Labels& a, const Labels& b) {
 
 TEST(FullResolution, CreasesAreAsSharpAsThePixels) {
   for (const int stride : {2, 3, 4}) {
-    const RenderedRoom clean = room();
+    const RenderedRoom clean = oddRoom();
     EXPECT_LT(disagreement(labelled(clean, stride), clean.labels), 0.001) << stride;
   }
 }
@@ -61,7 +61,7 @@ TEST(FullResolution, CreasesAreAsSharpAsThePixels) {
 TEST(FullResolution, CreasesAreDecidedByGeometryNotByNoise) {
   for (const int stride : {2, 4}) {
     const epcc::SensorModel noise = epcc::SensorModel::axial(0.01, 0.0, 1.0);
-    RenderedRoom noisy = room();
+    RenderedRoom noisy = oddRoom();
     epcc::test::addNoise(noisy, noise, 3);
     const Labels labels = labelled(noisy, stride, 1, noise);
     std::size_t strays = 0;
@@ -71,7 +71,7 @@ TEST(FullResolution, CreasesAreDecidedByGeometryNotByNoise) {
 }
 
 TEST(FullResolution, AThinThingBetweenTheSamplesIsNoPartOfTheWall) {
-  RenderedRoom scene = room();
+  RenderedRoom scene = oddRoom();
   const auto width = static_cast<std::size_t>(scene.camera.width);
   for (std::size_t i = 80; i < scene.depth.size(); i += width) {  // the samples of stride 2 are the odd columns
     scene.depth[i] *= 0.7f;
@@ -82,21 +82,21 @@ TEST(FullResolution, AThinThingBetweenTheSamplesIsNoPartOfTheWall) {
 }
 
 TEST(FullResolution, PixelsWithoutDepthHaveNoLabel) {
-  RenderedRoom scene = room();
+  RenderedRoom scene = oddRoom();
   for (std::size_t i = 0; i < scene.depth.size(); i += 3) scene.depth[i] = 0.0f;
   const Labels labels = labelled(scene, 3, 1, epcc::SensorModel::axial(1.0, 1.0, 1.0));  // 0 1/m is within this error
   for (std::size_t i = 0; i < labels.size(); i += 3) EXPECT_EQ(labels[i], 0) << i;
 }
 
 TEST(FullResolution, ThreadsChangeNothing) {
-  RenderedRoom noisy = room();
+  RenderedRoom noisy = oddRoom();
   epcc::test::addNoise(noisy, epcc::test::kWhite, 5);
   EXPECT_EQ(labelled(noisy, 2, 1), labelled(noisy, 2, 3));
 }
 
 TEST(FullResolution, ImagesSmallerThanTheStride) {
   for (const auto& [width, height] : {std::pair{1, 1}, std::pair{3, 2}, std::pair{2, 40}, std::pair{40, 1}}) {
-    const RenderedRoom tiny = room(width, height);
+    const RenderedRoom tiny = oddRoom(width, height);
     EXPECT_EQ(labelled(tiny, 4).size(), tiny.labels.size());
   }
 }

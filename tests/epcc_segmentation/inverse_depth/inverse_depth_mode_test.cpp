@@ -18,16 +18,16 @@ using epcc::ScanDirection;
 using epcc::SensorModel;
 using epcc::test::RenderedRoom;
 
-const SensorModel kWhite = SensorModel::axial(0.003, 0.001, 1.0);
+const SensorModel kWhiteNoise = SensorModel::axial(0.003, 0.001, 1.0);
 
-RenderedRoom noisyRoom(unsigned seed = 1, int width = 320, int height = 240) {
+RenderedRoom roomWithWhiteNoise(unsigned seed = 1, int width = 320, int height = 240) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
-  epcc::test::addNoise(room, kWhite, seed);
+  epcc::test::addNoise(room, kWhiteNoise, seed);
   return room;
 }
 
-PlaneSegmentation extract(const DepthFrame& frame, const Parameters& parameters = {},
-                          const SensorModel& sensor = kWhite) {
+PlaneSegmentation extractDefault(const DepthFrame& frame, const Parameters& parameters = {},
+                                 const SensorModel& sensor = kWhiteNoise) {
   PlaneExtractor extractor(parameters, sensor);
   PlaneSegmentation result;
   EXPECT_TRUE(extractor.extract(frame, result)) << extractor.error();
@@ -55,25 +55,25 @@ TEST(InverseDepthMode, IsTheDefault) {
 TEST(InverseDepthMode, ANoisyRoomIsExactlyItsThreePlanesInEveryScan) {
   for (const ScanDirection scan : {ScanDirection::Both, ScanDirection::Columns, ScanDirection::Rows})
     for (unsigned seed = 0; seed < 5; ++seed) {
-      const auto room = noisyRoom(seed);
+      const auto room = roomWithWhiteNoise(seed);
       Parameters parameters;
       parameters.scan = scan;
-      const auto result = extract(room.frame(), parameters);
+      const auto result = extractDefault(room.frame(), parameters);
       EXPECT_EQ(result.planes.size(), 3u) << "seed " << seed;
       EXPECT_GT(agreement(room, result), 0.97) << "seed " << seed;
     }
 }
 
 TEST(InverseDepthMode, TransposingTheImageTransposesTheLabels) {
-  const auto room = noisyRoom();
+  const auto room = roomWithWhiteNoise();
   const auto& camera = room.camera;
   RenderedRoom transposed;
   transposed.camera = {camera.height, camera.width, camera.fy, camera.fx, camera.cy, camera.cx};
   for (int column = 0; column < camera.width; ++column)
     for (int row = 0; row < camera.height; ++row)
       transposed.depth.push_back(room.depth[static_cast<std::size_t>(row * camera.width + column)]);
-  const auto a = extract(room.frame());
-  const auto b = extract(transposed.frame());
+  const auto a = extractDefault(room.frame());
+  const auto b = extractDefault(transposed.frame());
   ASSERT_EQ(a.planes.size(), b.planes.size());
   long differ = 0;
   for (int row = 0; row < camera.height; ++row)
@@ -86,22 +86,22 @@ TEST(InverseDepthMode, TransposingTheImageTransposesTheLabels) {
 }
 
 TEST(InverseDepthMode, ATransposedViewIsLabelledInTheCallersOrder) {
-  const auto room = noisyRoom();
-  const auto turned = extract(room.frame().transposed());
+  const auto room = roomWithWhiteNoise();
+  const auto turned = extractDefault(room.frame().transposed());
   ASSERT_EQ(turned.planes.size(), 3u);
   EXPECT_GT(agreement(room, turned), 0.97);
 }
 
 TEST(InverseDepthMode, RepeatedCallsAndFreshObjectsGiveTheSameBits) {
-  const auto room = noisyRoom(1);
-  const auto other = noisyRoom(2, 90, 70);
-  PlaneExtractor extractor(Parameters(), kWhite);
+  const auto room = roomWithWhiteNoise(1);
+  const auto other = roomWithWhiteNoise(2, 90, 70);
+  PlaneExtractor extractor(Parameters(), kWhiteNoise);
   PlaneSegmentation first, second;
   ASSERT_TRUE(extractor.extract(room.frame(), first));
   ASSERT_TRUE(extractor.extract(other.frame(), second));
   ASSERT_TRUE(extractor.extract(room.frame(), second));
   EXPECT_EQ(first.labels, second.labels);
-  EXPECT_EQ(first.labels, extract(room.frame()).labels);
+  EXPECT_EQ(first.labels, extractDefault(room.frame()).labels);
 }
 
 TEST(InverseDepthMode, TheNumberOfThreadsChangesNothing) {
@@ -111,9 +111,9 @@ TEST(InverseDepthMode, TheNumberOfThreadsChangesNothing) {
     for (const auto scan : {epcc::ScanDirection::Both, epcc::ScanDirection::Columns, epcc::ScanDirection::Rows}) {
       Parameters parameters;
       parameters.scan = scan;
-      const auto expected = extract(room.frame(), parameters);
+      const auto expected = extractDefault(room.frame(), parameters);
       parameters.threads = threads;
-      EXPECT_EQ(extract(room.frame(), parameters).labels, expected.labels) << threads;
+      EXPECT_EQ(extractDefault(room.frame(), parameters).labels, expected.labels) << threads;
     }
 }
 
@@ -137,8 +137,8 @@ TEST(InverseDepthMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksTh
     }
   Parameters as_given;  // one model is wrong on purpose
   as_given.inverse_depth.adapt_sensor = false;
-  const auto blotchy = extract(room.frame(), as_given, SensorModel::axial(0.015, 0.0, 5.0));
-  const auto white = extract(room.frame(), as_given, SensorModel::axial(0.005, 0.0, 1.0));
+  const auto blotchy = extractDefault(room.frame(), as_given, SensorModel::axial(0.015, 0.0, 5.0));
+  const auto white = extractDefault(room.frame(), as_given, SensorModel::axial(0.005, 0.0, 1.0));
   EXPECT_EQ(blotchy.planes.size(), 3u);
   EXPECT_GT(agreement(room, blotchy), 0.95);
   EXPECT_GT(white.planes.size(), 6u);
@@ -146,14 +146,14 @@ TEST(InverseDepthMode, BlotchyErrorLeavesTheWallsWholeWhereTheWhiteModelBreaksTh
 
 TEST(InverseDepthMode, PatternsOfEmptyPixelsThatTheGridFallsIntoHideNothing) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480));
-  epcc::test::addNoise(room, kWhite, 5);
+  epcc::test::addNoise(room, kWhiteNoise, 5);
   for (const int kind : {0, 1, 2}) {  // odd columns, odd rows, half of a checkerboard: the grid has odd ones
     auto sparse = room;
     for (int row = 0; row < 480; ++row)
       for (int column = 0; column < 640; ++column)
         if (kind == 0 ? column % 2 == 1 : kind == 1 ? row % 2 == 1 : (row + column) % 2 == 0)
           sparse.depth[static_cast<std::size_t>(row * 640 + column)] = 0.0f;
-    const auto result = extract(sparse.frame());
+    const auto result = extractDefault(sparse.frame());
     std::size_t pixels = 0;
     for (const auto& plane : result.planes) pixels += plane.pixel_count;
     EXPECT_EQ(result.planes.size(), 3u) << kind;
@@ -163,7 +163,7 @@ TEST(InverseDepthMode, PatternsOfEmptyPixelsThatTheGridFallsIntoHideNothing) {
 
 TEST(InverseDepthMode, FewPixelsInAPatternOrAtRandomAreEnough) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480));
-  epcc::test::addNoise(room, kWhite, 5);
+  epcc::test::addNoise(room, kWhiteNoise, 5);
   std::mt19937 random(3);
   const auto keep = [&](int kind, int row, int column) {
     if (kind == 0) return row % 4 == 1;                      // every fourth ring
@@ -181,7 +181,7 @@ TEST(InverseDepthMode, FewPixelsInAPatternOrAtRandomAreEnough) {
         else
           sparse.depth[static_cast<std::size_t>(row * 640 + column)] = 0.0f;
     for (const bool measured : {false, true}) {
-      PlaneExtractor extractor(Parameters(), measured ? std::nullopt : std::optional<SensorModel>(kWhite));
+      PlaneExtractor extractor(Parameters(), measured ? std::nullopt : std::optional<SensorModel>(kWhiteNoise));
       PlaneSegmentation result;
       ASSERT_TRUE(extractor.extract(sparse.frame(), result));
       EXPECT_EQ(result.planes.size(), 3u) << kind << measured;
@@ -208,18 +208,18 @@ TEST(InverseDepthMode, SphericalScansTakeTheirColumns) {
       for (int k = 0; k < 3; ++k) xyz.push_back(nearest < 50.0 ? static_cast<float>(nearest * ray(k)) : 0.0f);
     }
   const auto frame = DepthFrame::fromPoints(xyz.data(), 3, 200, 120, epcc::Projection::Spherical);
-  const auto result = extract(frame);
+  const auto result = extractDefault(frame);
   ASSERT_EQ(result.planes.size(), 3u);
   for (const auto& plane : result.planes) EXPECT_LT(plane.rms, 0.01);
   Parameters rows;
   rows.scan = ScanDirection::Rows;
-  PlaneExtractor by_rows(rows, kWhite);
+  PlaneExtractor by_rows(rows, kWhiteNoise);
   PlaneSegmentation none;
   EXPECT_FALSE(by_rows.extract(frame, none));
 }
 
 TEST(InverseDepthMode, BackwardCloudsAreSeenAsTheyAre) {
-  const auto room = noisyRoom();
+  const auto room = roomWithWhiteNoise();
   std::vector<float> xyz;
   Eigen::Vector3d p;
   for (int row = 0; row < room.camera.height; ++row)
@@ -229,8 +229,9 @@ TEST(InverseDepthMode, BackwardCloudsAreSeenAsTheyAre) {
     }
   const auto projection = epcc::detectProjection(xyz.data(), 3, room.camera.width, room.camera.height);
   ASSERT_EQ(projection, epcc::Projection::PerspectiveBackward);
-  const auto result = extract(DepthFrame::fromPoints(xyz.data(), 3, room.camera.width, room.camera.height, projection));
-  const auto forward = extract(room.frame());
+  const auto result =
+      extractDefault(DepthFrame::fromPoints(xyz.data(), 3, room.camera.width, room.camera.height, projection));
+  const auto forward = extractDefault(room.frame());
   ASSERT_EQ(result.planes.size(), 3u);
   EXPECT_GT(agreement(room, result), 0.97);
   EXPECT_GT(result.planes[0].coefficients(3), 0.0);
@@ -239,16 +240,16 @@ TEST(InverseDepthMode, BackwardCloudsAreSeenAsTheyAre) {
 
 TEST(InverseDepthMode, DegenerateFramesHaveNoPlanes) {
   const std::vector<float> nothing(32 * 24, 0.0f);
-  EXPECT_TRUE(extract(DepthFrame::fromDepth(nothing.data(), epcc::test::testCamera(32, 24))).planes.empty());
+  EXPECT_TRUE(extractDefault(DepthFrame::fromDepth(nothing.data(), epcc::test::testCamera(32, 24))).planes.empty());
   const std::vector<float> depth(500, 2.0f);
-  EXPECT_TRUE(extract(DepthFrame::fromDepth(depth.data(), {500, 1, 400.0, 400.0, 250.0, 0.0})).planes.empty());
-  EXPECT_TRUE(extract(DepthFrame::fromDepth(depth.data(), {1, 500, 400.0, 400.0, 0.0, 250.0})).planes.empty());
+  EXPECT_TRUE(extractDefault(DepthFrame::fromDepth(depth.data(), {500, 1, 400.0, 400.0, 250.0, 0.0})).planes.empty());
+  EXPECT_TRUE(extractDefault(DepthFrame::fromDepth(depth.data(), {1, 500, 400.0, 400.0, 0.0, 250.0})).planes.empty());
 }
 
 TEST(InverseDepthMode, HugeAndTinyDepthsHideNoPlane) {
-  auto room = noisyRoom();
+  auto room = roomWithWhiteNoise();
   for (std::size_t i = 0; i < room.depth.size(); i += 7) room.depth[i] = i % 2 == 0 ? 3e38f : 1e-38f;
-  const auto result = extract(room.frame());
+  const auto result = extractDefault(room.frame());
   ASSERT_EQ(result.planes.size(), 3u);
   for (const auto& truth : epcc::test::cornerPlanes()) {
     double nearest = std::numeric_limits<double>::infinity();

@@ -14,13 +14,13 @@ using epcc::ScatteredPixels;
 
 namespace {
 
-constexpr int kWidth = 640, kHeight = 480;
+constexpr int kImageWidth = 640, kImageHeight = 480;
 
 InverseDepthImage imageWith(const std::function<bool(int, int)>& keep) {
-  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(kWidth, kHeight));
-  for (int row = 0; row < kHeight; ++row)
-    for (int column = 0; column < kWidth; ++column)
-      if (!keep(row, column)) room.depth[static_cast<std::size_t>(row * kWidth + column)] = 0.0f;
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(kImageWidth, kImageHeight));
+  for (int row = 0; row < kImageHeight; ++row)
+    for (int column = 0; column < kImageWidth; ++column)
+      if (!keep(row, column)) room.depth[static_cast<std::size_t>(row * kImageWidth + column)] = 0.0f;
   InverseDepthImage image;
   image.read(room.frame());
   return image;
@@ -52,8 +52,8 @@ TEST(ScatteredPixels, RaysOfRegularPatternsAreExact) {
   ScatteredPixels scattered;
   ASSERT_TRUE(scattered.find(image));
   const InverseDepthImage& blocks = scattered.blocks();
-  ASSERT_EQ(blocks.width, kWidth / 2);
-  ASSERT_EQ(blocks.height, kHeight / 2);
+  ASSERT_EQ(blocks.width, kImageWidth / 2);
+  ASSERT_EQ(blocks.height, kImageHeight / 2);
   EXPECT_NEAR(blocks.place_beside, 0.0, 1e-15);
   for (int row = 0; row < blocks.height; row += 7)
     for (int column = 0; column < blocks.width; column += 7) {

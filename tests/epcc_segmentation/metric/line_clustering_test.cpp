@@ -86,10 +86,10 @@ double slanted(int row, double offset, double slope) {
   return offset / (1.0 - slope * verticalRay(row));
 }
 
-const SensorModel kSensor = SensorModel::axial(0.002, 0.0);
+const SensorModel kProfileSensor = SensorModel::axial(0.002, 0.0);
 
 TEST(LineClustering, AnExactLineIsOneSegmentThroughAllSamples) {
-  const auto segments = cluster(profile([](int row) { return slanted(row, 2.0, 0.4); }), kSensor);
+  const auto segments = cluster(profile([](int row) { return slanted(row, 2.0, 0.4); }), kProfileSensor);
   ASSERT_EQ(segments.segments.size(), 1u);
   const auto& s = segments.segments[0];
   EXPECT_EQ(s.first, 0);
@@ -105,22 +105,22 @@ TEST(LineClustering, AnExactLineIsOneSegmentThroughAllSamples) {
 }
 
 TEST(LineClustering, TwoSlopesMeetAtTheirCorner) {
-  const auto segments =
-      cluster(profile([](int row) { return row < 100 ? slanted(row, 2.0, 0.6) : slanted(row, 2.0, -0.6); }), kSensor);
+  const auto segments = cluster(
+      profile([](int row) { return row < 100 ? slanted(row, 2.0, 0.6) : slanted(row, 2.0, -0.6); }), kProfileSensor);
   ASSERT_EQ(segments.segments.size(), 2u);
   EXPECT_NEAR(segments.segments[0].last, 99, 4);
   EXPECT_NEAR(segments.segments[1].first, 100, 4);
 }
 
 TEST(LineClustering, AStepSplitsTheLineAtItsPixel) {
-  const auto segments = cluster(profile([](int row) { return row < 80 ? 2.0 : 2.1; }), kSensor);
+  const auto segments = cluster(profile([](int row) { return row < 80 ? 2.0 : 2.1; }), kProfileSensor);
   ASSERT_EQ(segments.segments.size(), 2u);
   EXPECT_EQ(segments.segments[0].last, 79);
   EXPECT_EQ(segments.segments[1].first, 80);
 }
 
 TEST(LineClustering, AStepBelowTheNoiseDoesNotSplit) {
-  const auto segments = cluster(profile([](int row) { return row < 80 ? 2.0 : 2.001; }), kSensor);
+  const auto segments = cluster(profile([](int row) { return row < 80 ? 2.0 : 2.001; }), kProfileSensor);
   EXPECT_EQ(segments.segments.size(), 1u);
 }
 
@@ -130,7 +130,7 @@ TEST(LineClustering, WhiteSensorNoiseLeavesTheLineWhole) {
     std::mt19937 generator(seed);
     std::normal_distribution<double> normal(0.0, 0.002);
     const auto segments =
-        cluster(profile([&](int row) { return slanted(row, 2.0, 0.3) + normal(generator); }), kSensor);
+        cluster(profile([&](int row) { return slanted(row, 2.0, 0.3) + normal(generator); }), kProfileSensor);
     long members = 0;
     for (const auto& s : segments.segments) members += static_cast<long>(s.n);
     EXPECT_GT(members, 0.9 * kSize) << "seed " << seed;
@@ -142,22 +142,22 @@ TEST(LineClustering, WhiteSensorNoiseLeavesTheLineWhole) {
 TEST(LineClustering, OutliersAreLeftOutAndDoNotSplit) {
   const auto is_outlier = [](int row) { return row % 17 == 5 || (row >= 60 && row < 65); };
   const auto segments =
-      cluster(profile([&](int row) { return is_outlier(row) ? 1.0 + 0.03 * (row % 7) : 2.0; }), kSensor);
+      cluster(profile([&](int row) { return is_outlier(row) ? 1.0 + 0.03 * (row % 7) : 2.0; }), kProfileSensor);
   ASSERT_EQ(segments.segments.size(), 1u);
   for (const int row : segments.members) EXPECT_FALSE(is_outlier(row)) << row;
 }
 
 TEST(LineClustering, HolesEndNothing) {
-  const auto segments = cluster(profile([](int row) { return row >= 50 && row < 120 ? 0.0 : 2.0; }), kSensor);
+  const auto segments = cluster(profile([](int row) { return row >= 50 && row < 120 ? 0.0 : 2.0; }), kProfileSensor);
   ASSERT_EQ(segments.segments.size(), 1u);
   EXPECT_EQ(segments.segments[0].last, kSize - 1);
 }
 
 TEST(LineClustering, FewerSamplesThanKMinGiveNoSegment) {
   const auto short_line = [](int count) { return profile([count](int row) { return row < count ? 2.0 : 0.0; }); };
-  EXPECT_TRUE(cluster(Profile{}, kSensor).segments.empty());
-  EXPECT_TRUE(cluster(short_line(7), kSensor).segments.empty());
-  EXPECT_EQ(cluster(short_line(8), kSensor).segments.size(), 1u);
+  EXPECT_TRUE(cluster(Profile{}, kProfileSensor).segments.empty());
+  EXPECT_TRUE(cluster(short_line(7), kProfileSensor).segments.empty());
+  EXPECT_EQ(cluster(short_line(8), kProfileSensor).segments.size(), 1u);
 }
 
 TEST(LineClustering, WithoutTheNoiseModelNoisyDataLosesCoverage) {  // Figs. 12, 13
@@ -166,7 +166,7 @@ TEST(LineClustering, WithoutTheNoiseModelNoisyDataLosesCoverage) {  // Figs. 12,
   const Profile line = profile([&](int) { return 2.0 + normal(generator); });
   PaperParameters without;
   without.expert.lines.use_sensor_noise = false;
-  EXPECT_LT(cluster(line, kSensor, without).members.size(), cluster(line, kSensor).members.size());
+  EXPECT_LT(cluster(line, kProfileSensor, without).members.size(), cluster(line, kProfileSensor).members.size());
 }
 
 TEST(LineClustering, SegmentsKeepTheOrderOfTheScanAndNeverShareAPixel) {
@@ -178,7 +178,7 @@ TEST(LineClustering, SegmentsKeepTheOrderOfTheScanAndNeverShareAPixel) {
                                     if (row % 23 == 0) level = uniform(generator);
                                     return row % 5 == 0 ? uniform(generator) : level;
                                   }),
-                                  kSensor);
+                                  kProfileSensor);
     int last = -1;
     for (const auto& segment : segments.segments) {
       ASSERT_GT(segment.first, last);
@@ -196,7 +196,7 @@ TEST(LineClustering, StatisticsAndResidualVarianceFollowTheirEquations) {
   std::mt19937 generator(7);
   std::normal_distribution<double> normal(0.0, 0.002);
   const Profile depth = profile([&](int row) { return slanted(row, 2.0, 0.3) + normal(generator); });
-  const auto found = cluster(depth, kSensor);
+  const auto found = cluster(depth, kProfileSensor);
   ASSERT_FALSE(found.segments.empty());
   const LineRecord& segment = found.segments[0];
   // Eqs. 11 to 13 as printed, in double precision; the first k_min samples are fitted.

@@ -22,12 +22,12 @@ using epcc::test::placesOf;
 using epcc::test::Reference;
 using epcc::test::referenceOf;
 
-const SensorModel kSensor = SensorModel::axial(0.002, 0.002);
+const SensorModel kLaneSensor = SensorModel::axial(0.002, 0.002);
 
 /// A noisy corner with holes, NaN and outliers.
 epcc::test::RenderedRoom damagedRoom(unsigned seed, int width, int height) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
-  epcc::test::addNoise(room, kSensor, seed);
+  epcc::test::addNoise(room, kLaneSensor, seed);
   std::mt19937 generator(seed);
   std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
   for (float& z : room.depth) {
@@ -86,24 +86,24 @@ TEST(LineLanes, DamagedRoomsOfAllShapes) {
   for (const auto& [width, height] :
        {std::pair<int, int>{160, 120}, {33, 200}, {31, 64}, {1, 300}, {300, 1}, {64, 7}}) {
     const auto room = damagedRoom(static_cast<unsigned>(width), width, height);
-    expectTheReference(room.frame(), {}, kSensor);
-    expectTheReference(room.frame().transposed(), {}, kSensor);
+    expectTheReference(room.frame(), {}, kLaneSensor);
+    expectTheReference(room.frame().transposed(), {}, kLaneSensor);
   }
 }
 
 TEST(LineLanes, RandomLinesWithGapsAndOutliers) {
-  for (unsigned seed = 0; seed < 4; ++seed) expectTheReference(randomLines(seed, 96, 240).frame(), {}, kSensor);
+  for (unsigned seed = 0; seed < 4; ++seed) expectTheReference(randomLines(seed, 96, 240).frame(), {}, kLaneSensor);
 }
 
 TEST(LineLanes, ConstantAndDegenerateDepth) {
   epcc::test::RenderedRoom room{epcc::test::testCamera(40, 60), std::vector<float>(2400, 1.5f), {}};
-  expectTheReference(room.frame(), {}, kSensor);
+  expectTheReference(room.frame(), {}, kLaneSensor);
   for (std::size_t i = 0; i < room.depth.size(); ++i) room.depth[i] = std::ldexp(1.0f, static_cast<int>(i % 250) - 125);
-  expectTheReference(room.frame(), {}, kSensor);
+  expectTheReference(room.frame(), {}, kLaneSensor);
   for (float& z : room.depth) z = 1e-30f;
-  expectTheReference(room.frame(), {}, kSensor);
+  expectTheReference(room.frame(), {}, kLaneSensor);
   std::vector<float> same(3 * 2400, 1.0f);  // all points coincide
-  expectTheReference(DepthFrame::fromPoints(same.data(), 3, 40, 60, epcc::Projection::Perspective), {}, kSensor);
+  expectTheReference(DepthFrame::fromPoints(same.data(), 3, 40, 60, epcc::Projection::Perspective), {}, kLaneSensor);
 }
 
 TEST(LineLanes, UnusualParameters) {
@@ -114,11 +114,11 @@ TEST(LineLanes, UnusualParameters) {
     parameters.paper.expert.lines.fit_samples = fit;
     parameters.paper.expert.lines.validation_samples = validation;
     parameters.paper.expert.lines.buffer_samples = buffer;
-    expectTheReference(room.frame(), parameters, kSensor);
+    expectTheReference(room.frame(), parameters, kLaneSensor);
   }
   Parameters parameters;
   parameters.paper.expert.lines.use_sensor_noise = false;
-  expectTheReference(room.frame(), parameters, kSensor);
+  expectTheReference(room.frame(), parameters, kLaneSensor);
   parameters.paper.line_k_max = 5.0;
   parameters.paper.expert.lines.projection_floor = 0.7;
   expectTheReference(room.frame(), parameters, SensorModel::polynomial(0.006954, -0.003713, 0.001153, 2.0));
@@ -128,20 +128,21 @@ TEST(LineLanes, CloudsSphericalScansMasksAndIntegerDepth) {
   const auto room = damagedRoom(5, 100, 90);
   const auto perspective = pointsOf(room, false);
   const auto cloud = DepthFrame::fromPoints(perspective.data(), 3, 100, 90, epcc::Projection::Perspective);
-  expectTheReference(cloud, {}, kSensor);
-  expectTheReference(cloud.transposed(), {}, kSensor);
+  expectTheReference(cloud, {}, kLaneSensor);
+  expectTheReference(cloud.transposed(), {}, kLaneSensor);
   const auto spherical = pointsOf(room, true);
-  expectTheReference(DepthFrame::fromPoints(spherical.data(), 3, 100, 90, epcc::Projection::Spherical), {}, kSensor);
+  expectTheReference(DepthFrame::fromPoints(spherical.data(), 3, 100, 90, epcc::Projection::Spherical), {},
+                     kLaneSensor);
   std::vector<std::uint8_t> mask(9000, 1);
   for (std::size_t i = 0; i < mask.size(); i += 7) mask[i] = 0;
-  expectTheReference(cloud.masked(mask.data()), {}, kSensor);
-  expectTheReference(room.frame().masked(mask.data()), {}, kSensor);
+  expectTheReference(cloud.masked(mask.data()), {}, kLaneSensor);
+  expectTheReference(room.frame().masked(mask.data()), {}, kLaneSensor);
   std::vector<std::uint16_t> units;
   for (const float z : room.depth) units.push_back(z > 0.0f && z < 10.0f ? static_cast<std::uint16_t>(z * 4000.0f) : 0);
   epcc::DepthView<std::uint16_t> depth{units.data(), 100, 90};
   depth.scale = 0.00025;
-  expectTheReference(DepthFrame::fromDepth(depth, room.camera), {}, kSensor);
-  expectTheReference(DepthFrame::fromDepth(depth, room.camera).transposed(), {}, kSensor);
+  expectTheReference(DepthFrame::fromDepth(depth, room.camera), {}, kLaneSensor);
+  expectTheReference(DepthFrame::fromDepth(depth, room.camera).transposed(), {}, kLaneSensor);
 }
 
 TEST(LineLanes, TheNumberOfThreadsChangesNothing) {
@@ -151,8 +152,8 @@ TEST(LineLanes, TheNumberOfThreadsChangesNothing) {
     for (int run = 0; run < 5; ++run) {
       Parameters parameters;
       parameters.threads = threads;
-      MetricPipeline pipeline(parameters, kSensor);
-      pipeline.configure(parameters, kSensor);
+      MetricPipeline pipeline(parameters, kLaneSensor);
+      pipeline.configure(parameters, kLaneSensor);
       pipeline.clusterLines(room.frame());
       pipeline.clusterPlanes();
       std::vector<std::int32_t> labels(room.depth.size());
@@ -168,8 +169,8 @@ TEST(LineLanes, EndpointsLieOnThePrototype) {
   const auto xyz = pointsOf(room, false);
   const DepthFrame cloud = DepthFrame::fromPoints(xyz.data(), 3, 64, 120, epcc::Projection::Perspective);
   for (const DepthFrame& view : {room.frame(), room.frame().transposed(), cloud}) {
-    MetricPipeline pipeline({}, kSensor);
-    pipeline.configure({}, kSensor);
+    MetricPipeline pipeline({}, kLaneSensor);
+    pipeline.configure({}, kLaneSensor);
     pipeline.clusterLines(view);
     for (int column = 0; column < view.width(); ++column)
       for (const ClusteredLine& segment : pipeline.lineSegments()[static_cast<std::size_t>(column)]) {
@@ -188,19 +189,19 @@ TEST(LineLanes, EndpointsLieOnThePrototype) {
 
 // A view after a larger one: nothing of the other is left.
 TEST(LineLanes, MemoryOfAnotherFrameChangesNothing) {
-  MetricPipeline pipeline({}, kSensor);
-  pipeline.configure({}, kSensor);
+  MetricPipeline pipeline({}, kLaneSensor);
+  pipeline.configure({}, kLaneSensor);
   pipeline.clusterLines(randomLines(1, 127, 100).frame());
   const auto small = randomLines(2, 97, 80);
   pipeline.clusterLines(small.frame());
-  EXPECT_EQ(placesOf(pipeline, small.frame()), referenceOf(small.frame(), {}, kSensor).places(small.frame()));
+  EXPECT_EQ(placesOf(pipeline, small.frame()), referenceOf(small.frame(), {}, kLaneSensor).places(small.frame()));
 }
 
 TEST(LineLanes, DoublePrecisionGivesNearlyTheSameSegments) {
   const auto room = damagedRoom(9, 320, 240);
-  const Reference<double> precise = epcc::test::preciseReferenceOf(room.frame(), kSensor);
+  const Reference<double> precise = epcc::test::preciseReferenceOf(room.frame(), kLaneSensor);
   const std::vector<int> expected = precise.places(room.frame());
-  const std::vector<int> places = referenceOf(room.frame(), {}, kSensor).places(room.frame());
+  const std::vector<int> places = referenceOf(room.frame(), {}, kLaneSensor).places(room.frame());
   std::size_t different = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) different += places[i] != expected[i] ? 1 : 0;
   EXPECT_LE(different, expected.size() / 1000);

@@ -27,8 +27,8 @@ BlockRays raysOf(int side, bool uneven) {
   return rays;
 }
 
-const SamplePlane kPlane = {0.013f, -0.03f, 0.003f};
-constexpr float kGate = 0.004f;
+const SamplePlane kStartPlane = {0.013f, -0.03f, 0.003f};
+constexpr float kQuadricGate = 0.004f;
 
 /// Curved, with an error, and with holes and outliers at one side.
 BlockSamples blockOf(int side, const BlockRays& rays, double bad, unsigned seed) {
@@ -60,9 +60,10 @@ QuadricResiduals ofPixels(const BlockSamples& samples, const BlockRays& rays) {
       std::vector<double> errors;
       for (int i = 0; i < side * side; ++i) {
         const int column = part % across * side + i % side, row = part / across * side + i / side;
-        const float said = kPlane.x * rays.x[column] + kPlane.forward * rays.forward[column] + kPlane.y * rays.y[row];
+        const float said =
+            kStartPlane.x * rays.x[column] + kStartPlane.forward * rays.forward[column] + kStartPlane.y * rays.y[row];
         const double e = static_cast<double>(samples.w[row * samples.pitch + column] - said);
-        if (std::abs(e) > static_cast<double>(kGate)) continue;
+        if (std::abs(e) > static_cast<double>(kQuadricGate)) continue;
         const auto x = static_cast<double>(rays.x[column]), y = static_cast<double>(rays.y[row]);
         rows.emplace_back();
         rows.back() << 1.0, x, y, x * x, x * y, y * y;
@@ -94,7 +95,7 @@ TEST(BlockQuadrics, AreThoseOfThePixelsWithTheSameBitsOnEveryUnit) {
         QuadricResiduals first;
         for (const std::string& unit : vectorUnits()) {
           ASSERT_TRUE(setVectorUnit(unit));
-          const QuadricResiduals found = fitQuadrics(*samples, rays, kPlane, kGate);
+          const QuadricResiduals found = fitQuadrics(*samples, rays, kStartPlane, kQuadricGate);
           EXPECT_EQ(found.inliers, expected.inliers) << what << ", " << unit;
           for (std::size_t scale = 0; scale < kScales; ++scale) {
             const double size = expected.squares[scale];
@@ -110,11 +111,11 @@ TEST(BlockQuadrics, AreThoseOfThePixelsWithTheSameBitsOnEveryUnit) {
 TEST(BlockQuadrics, APartThatIsMostlyHolesIsNotCounted) {
   const BlockRays rays = raysOf(16, false);
   auto samples = std::make_unique<BlockSamples>(blockOf(16, rays, 0.0, 4));
-  const QuadricResiduals whole = fitQuadrics(*samples, rays, kPlane, kGate);
+  const QuadricResiduals whole = fitQuadrics(*samples, rays, kStartPlane, kQuadricGate);
   for (int y = 0; y < 16; ++y)  // in each part of 4 x 4 pixels, 11 stay, fewer than 12
     for (int x = 0; x < 16; ++x)
       if (x % 4 + 4 * (y % 4) < 5) samples->w[y * samples->pitch + x] = kNowhere;
-  const QuadricResiduals holed = fitQuadrics(*samples, rays, kPlane, kGate);
+  const QuadricResiduals holed = fitQuadrics(*samples, rays, kStartPlane, kQuadricGate);
   EXPECT_GT(whole.squares[0], 0.0);
   EXPECT_EQ(holed.squares[0], 0.0);
   EXPECT_NEAR(holed.squares[2] / whole.squares[2], 1.0, 0.2);

@@ -14,22 +14,22 @@
 namespace epcc {
 namespace {
 
-constexpr int kWidth = 77;  // no multiple of anything
-constexpr int kHeight = 45;
+constexpr int kColumnsOfBlocks = 77;  // no multiple of anything
+constexpr int kRowsOfBlocks = 45;
 
 /// A wall at about 2 m with a white error of inverse depth.
 InverseDepthImage wall(float deviation) {
   InverseDepthImage image;
-  image.width = kWidth;
-  image.height = kHeight;
-  for (int i = 0; i < kWidth; ++i) image.across.push_back(0.002 * i);
-  for (int i = 0; i < kHeight; ++i) image.along.push_back(0.002 * i);
-  image.forward.assign(kWidth, 1.0);
-  image.measured_scale.assign(kHeight, 1.0);
+  image.width = kColumnsOfBlocks;
+  image.height = kRowsOfBlocks;
+  for (int i = 0; i < kColumnsOfBlocks; ++i) image.across.push_back(0.002 * i);
+  for (int i = 0; i < kRowsOfBlocks; ++i) image.along.push_back(0.002 * i);
+  image.forward.assign(kColumnsOfBlocks, 1.0);
+  image.measured_scale.assign(kRowsOfBlocks, 1.0);
   std::mt19937 generator(4);
   std::normal_distribution<float> normal;
-  for (int row = 0; row < kHeight; ++row)
-    for (int column = 0; column < kWidth; ++column)
+  for (int row = 0; row < kRowsOfBlocks; ++row)
+    for (int column = 0; column < kColumnsOfBlocks; ++column)
       image.w.push_back(0.5f + 1e-4f * static_cast<float>(column) - 5e-5f * static_cast<float>(row) +
                         deviation * normal(generator));
   image.w.shrink_to_fit();  // so that reading beyond it is seen
@@ -40,8 +40,8 @@ TEST(BlockResiduals, TellTheErrorAtTheImagesCornersForAllSizes) {
   constexpr float kDeviation = 0.001f;
   const auto image = wall(kDeviation);
   for (const int size : {16, 32})
-    for (const int row : {0, kHeight - size})
-      for (const int column : {0, kWidth - size}) {
+    for (const int row : {0, kRowsOfBlocks - size})
+      for (const int column : {0, kColumnsOfBlocks - size}) {
         const auto block = measureBlock(image, {row, column, size});
         ASSERT_TRUE(block) << size << " at " << row << ", " << column;
         EXPECT_NEAR(block->depth, 2.0, 0.05);
@@ -57,8 +57,8 @@ TEST(BlockResiduals, TellTheErrorAtTheImagesCornersForAllSizes) {
 TEST(BlockResiduals, ACurvedSurfaceIsNoError) {
   const auto flat = wall(0.001f);
   auto curved = flat;
-  for (int row = 0; row < kHeight; ++row)
-    for (int column = 0; column < kWidth; ++column) {
+  for (int row = 0; row < kRowsOfBlocks; ++row)
+    for (int column = 0; column < kColumnsOfBlocks; ++column) {
       const float x = static_cast<float>(column - 40) / 16.0f, y = static_cast<float>(row - 20) / 16.0f;
       curved.w[curved.index(row, column)] += 0.01f * x * x + 0.005f * x * y - 0.004f * y * y;  // ten times the error
     }
@@ -139,7 +139,7 @@ TEST(BlockResiduals, AreTheSameBitsOnEveryVectorUnit) {
     std::vector<BlockResiduals> found;
     for (const std::string& unit : vectorUnits()) {
       ASSERT_TRUE(setVectorUnit(unit));
-      const auto block = measureBlock(image, {kHeight - size, kWidth - size, size});
+      const auto block = measureBlock(image, {kRowsOfBlocks - size, kColumnsOfBlocks - size, size});
       ASSERT_TRUE(block) << unit << ", " << size;
       found.push_back(*block);
       EXPECT_EQ(found.front().depth, block->depth) << unit << ", " << size;

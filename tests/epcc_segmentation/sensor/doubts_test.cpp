@@ -23,7 +23,7 @@ epcc::Doubts doubtsAbout(const epcc::DepthFrame& frame) {
   return result.doubts;
 }
 
-epcc::test::RenderedRoom noisyRoom() {
+epcc::test::RenderedRoom doubtfulRoom() {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480));
   epcc::test::addNoise(room, epcc::SensorModel::axial(0.005, 0.0, 1.0), 5);
   return room;
@@ -48,19 +48,19 @@ std::vector<std::uint16_t> swapped(std::vector<std::uint16_t> values) {
 }  // namespace
 
 TEST(Doubts, ThereAreNoneAboutAScene) {
-  const auto room = noisyRoom();
+  const auto room = doubtfulRoom();
   EXPECT_FALSE(doubtsAbout(room.frame()).any()) << doubtsAbout(room.frame()).inWords();
 }
 
 TEST(Doubts, SwappedBytesAreNamed) {
-  auto room = noisyRoom();
+  auto room = doubtfulRoom();
   const auto values = swapped(wholeNumbers(room));
   for (std::size_t i = 0; i < values.size(); ++i) room.depth[i] = 0.001F * static_cast<float>(values[i]);
   EXPECT_NE(doubtsAbout(room.frame()).inWords().find("bytes"), std::string::npos);
 }
 
 TEST(Doubts, SwappedBytesOfWholeNumbersAreKnownForSure) {
-  const auto room = noisyRoom();
+  const auto room = doubtfulRoom();
   const auto values = wholeNumbers(room), other_way_round = swapped(values);
   const auto frame = [&](const std::vector<std::uint16_t>& image) {
     return epcc::DepthFrame::fromDepth(epcc::DepthView<std::uint16_t>{image.data(), 640, 480}, room.camera);
@@ -74,7 +74,7 @@ TEST(Doubts, SwappedBytesOfWholeNumbersAreKnownForSure) {
 }
 
 TEST(Doubts, ByteOrderOfRowsAnywhereInMemory) {
-  const auto values = wholeNumbers(noisyRoom()), other_way_round = swapped(values);
+  const auto values = wholeNumbers(doubtfulRoom()), other_way_round = swapped(values);
   const auto lastRow = [](const std::vector<std::uint16_t>& image) { return image.data() + 479 * 640; };
   EXPECT_FALSE(epcc::bytesAreSwapped({lastRow(values), 640, 480, -1280}));
   EXPECT_TRUE(epcc::bytesAreSwapped({lastRow(other_way_round), 640, 480, -1280}));
@@ -83,7 +83,7 @@ TEST(Doubts, ByteOrderOfRowsAnywhereInMemory) {
 
 TEST(Doubts, ByteOrderThatCannotBeToldIsTakenAsRight) {
   std::mt19937 random(2);
-  auto noise = wholeNumbers(noisyRoom()), coarse = noise, few = noise;
+  auto noise = wholeNumbers(doubtfulRoom()), coarse = noise, few = noise;
   for (auto& value : noise) value = static_cast<std::uint16_t>(random());
   for (auto& value : coarse) value = static_cast<std::uint16_t>(value / 10 * 256);  // bytes below are empty
   for (auto& value : few) value = random() % 100 < 3 ? swapped(value) : std::uint16_t{0};
@@ -95,7 +95,7 @@ TEST(Doubts, ByteOrderThatCannotBeToldIsTakenAsRight) {
 }
 
 TEST(Doubts, FewPixelsAreSaid) {
-  auto room = noisyRoom();
+  auto room = doubtfulRoom();
   std::mt19937 random(2);
   for (float& z : room.depth)
     if (random() % 100 >= 3) z = 0.0F;

@@ -17,7 +17,7 @@ using epcc::SensorModel;
 
 const SensorModel kTruth = SensorModel::axial(0.004, 0.0, 1.0);
 
-epcc::test::RenderedRoom noisyRoom(unsigned seed = 3) {
+epcc::test::RenderedRoom measuredRoom(unsigned seed = 3) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480));
   epcc::test::addNoise(room, kTruth, seed);
   return room;
@@ -31,7 +31,7 @@ double usedOverTrue(PlaneExtractor& extractor, const epcc::DepthFrame& frame) {
 }
 
 TEST(SensorAdaptation, WrongModelsEndWithinAThirdOfTheTruth) {
-  const auto room = noisyRoom();
+  const auto room = measuredRoom();
   for (const double factor : {0.25, 0.5, 2.0, 5.0}) {
     SCOPED_TRACE(factor);
     PlaneExtractor extractor({}, kTruth.scaled(factor));
@@ -43,13 +43,13 @@ TEST(SensorAdaptation, WrongModelsEndWithinAThirdOfTheTruth) {
 }
 
 TEST(SensorAdaptation, TheRightModelIsLeftAsItIs) {
-  const auto room = noisyRoom();
+  const auto room = measuredRoom();
   PlaneExtractor extractor({}, kTruth);
   EXPECT_EQ(usedOverTrue(extractor, room.frame()), 1.0);
 }
 
 TEST(SensorAdaptation, PolynomialsKeepTheirShape) {
-  const auto room = noisyRoom();
+  const auto room = measuredRoom();
   const SensorModel given = SensorModel::polynomial(0.001, 0.0, 0.030, 1.0);
   PlaneExtractor extractor({}, given);
   PlaneSegmentation result;
@@ -76,7 +76,7 @@ TEST(SensorAdaptation, FacesThatAModelTwiceTooWideMergesAreApartAgain) {
 }
 
 TEST(SensorAdaptation, OffAndInPaperModeTheModelIsTheGivenOne) {
-  const auto room = noisyRoom();
+  const auto room = measuredRoom();
   Parameters off;
   off.inverse_depth.adapt_sensor = false;
   for (const Parameters& parameters : {off, Parameters::forPaper()}) {
@@ -95,11 +95,11 @@ TEST(SensorAdaptation, AFrameThatShowsNothingLeavesTheModel) {
 TEST(SensorAdaptation, OverAStreamTheModelSettlesAndStartsAfreshWithANewOne) {
   PlaneExtractor extractor({}, kTruth.scaled(4.0));
   double used = 0.0;
-  for (unsigned frame = 0; frame < 40; ++frame) used = usedOverTrue(extractor, noisyRoom(frame).frame());
+  for (unsigned frame = 0; frame < 40; ++frame) used = usedOverTrue(extractor, measuredRoom(frame).frame());
   EXPECT_GT(used, 0.67);
   EXPECT_LT(used, 1.5);
   extractor.setSensor(kTruth);
-  EXPECT_EQ(usedOverTrue(extractor, noisyRoom().frame()), 1.0);
+  EXPECT_EQ(usedOverTrue(extractor, measuredRoom().frame()), 1.0);
 }
 
 }  // namespace

@@ -108,13 +108,13 @@ TEST(SensorEstimation, TheUnitOfLengthDoesNotMatter) {
 /// What a scanner of uneven rings in the middle of a hall of 16 x 16 x 4 m measures: white noise, and each ring has an
 /// offset of its own.
 epcc::SensorEstimate ofHall(double error, double ring_offset) {
-  constexpr int kWidth = 1024, kHeight = 64;
+  constexpr int kColumns = 1024, kRings = 64;
   std::vector<float> points;
   std::mt19937 generator(3);
   std::normal_distribution<double> normal;
-  for (int row = 0; row < kHeight; ++row) {
+  for (int row = 0; row < kRings; ++row) {
     const double offset = ring_offset * normal(generator);
-    for (int column = 0; column < kWidth; ++column) {
+    for (int column = 0; column < kColumns; ++column) {
       const double elevation = 0.25 - 0.008 * row - 0.0015 * (row % 3), azimuth = 0.0061 * column;
       const double x = std::cos(azimuth) * std::cos(elevation), y = std::sin(azimuth) * std::cos(elevation);
       const double z = std::sin(elevation);
@@ -124,7 +124,7 @@ epcc::SensorEstimate ofHall(double error, double ring_offset) {
     }
   }
   return epcc::estimateSensor(
-      epcc::DepthFrame::fromPoints(points.data(), 3, kWidth, kHeight, epcc::Projection::Spherical));
+      epcc::DepthFrame::fromPoints(points.data(), 3, kColumns, kRings, epcc::Projection::Spherical));
 }
 
 TEST(SensorEstimation, AScanWithUnevenRingsGivesItsOwnModel) {

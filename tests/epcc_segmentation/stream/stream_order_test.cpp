@@ -13,24 +13,24 @@
 namespace epcc {
 namespace {
 
-const SensorModel kSensor = SensorModel::axial(0.003, 0.001, 2.0);
+const SensorModel kOrderSensor = SensorModel::axial(0.003, 0.001, 2.0);
 
 StreamOptions given() {
   StreamOptions options;
-  options.sensor = kSensor;
+  options.sensor = kOrderSensor;
   return options;
 }
 
 TEST(StreamOrder, LostColumnsAreScanLinesWithoutASample) {
   auto room = test::renderRoom(test::cornerPlanes(), test::testCamera());
-  test::addNoise(room, kSensor, 5);
+  test::addNoise(room, kOrderSensor, 5);
   const PinholeCamera& camera = room.camera;
   const auto is_lost = [](int c) { return c < 5 || (c >= 50 && c < 53) || (c >= 90 && c < 98) || c >= 150; };
   auto holes = room.depth;
   for (int r = 0; r < camera.height; ++r)
     for (int c = 0; c < camera.width; ++c)
       if (is_lost(c)) holes[static_cast<std::size_t>(r * camera.width + c)] = 0.0f;
-  PlaneExtractor extractor(test::wholeFrameParameters({}), kSensor);
+  PlaneExtractor extractor(test::wholeFrameParameters({}), kOrderSensor);
   PlaneSegmentation whole;
   ASSERT_TRUE(extractor.extract(DepthFrame::fromDepth(holes.data(), camera), whole));
   ScanLineStream stream(StreamGeometry::cameraColumns(camera), given());

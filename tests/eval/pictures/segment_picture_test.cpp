@@ -22,7 +22,7 @@ LineSegment segment(ScanDirection scan, int line, int first, int last, int label
   return made;
 }
 
-bool same(const Rgb& a, const Rgb& b) {
+bool sameColor(const Rgb& a, const Rgb& b) {
   return a.r == b.r && a.g == b.g && a.b == b.b;
 }
 
@@ -30,8 +30,8 @@ TEST(SegmentPicture, SegmentsOfAPlaneHaveItsColourAndADarkEnd) {
   const DepthImage depth(20, 10, 2.0F);
   const ColorImage image =
       drawSegments(depth, {segment(ScanDirection::Columns, 6, 1, 4, 3), segment(ScanDirection::Rows, 0, 12, 15, 2)});
-  for (int i = 1; i < 4; ++i) EXPECT_TRUE(same(image.at(i, 6), labelColor(3)));
-  for (int i = 12; i < 15; ++i) EXPECT_TRUE(same(image.at(0, i), labelColor(2)));
+  for (int i = 1; i < 4; ++i) EXPECT_TRUE(sameColor(image.at(i, 6), labelColor(3)));
+  for (int i = 12; i < 15; ++i) EXPECT_TRUE(sameColor(image.at(0, i), labelColor(2)));
   EXPECT_LT(image.at(4, 6).r, 30);
   EXPECT_LT(image.at(0, 15).r, 30);
   const Rgb relief = shadeDepth(depth).at(5, 6);
@@ -41,8 +41,8 @@ TEST(SegmentPicture, SegmentsOfAPlaneHaveItsColourAndADarkEnd) {
 TEST(SegmentPicture, SegmentsOfNoPlaneTakeTurns) {
   const ColorImage image = drawSegments(DepthImage(10, 30, 2.0F), {segment(ScanDirection::Columns, 0, 0, 5, 0),
                                                                    segment(ScanDirection::Columns, 0, 6, 9, 0)});
-  EXPECT_TRUE(same(image.at(0, 0), {255, 255, 255}));
-  EXPECT_TRUE(same(image.at(6, 0), {0, 0, 0}));
+  EXPECT_TRUE(sameColor(image.at(0, 0), {255, 255, 255}));
+  EXPECT_TRUE(sameColor(image.at(6, 0), {0, 0, 0}));
 }
 
 TEST(SegmentPicture, LinesBetweenAreLeftOut) {
@@ -50,7 +50,7 @@ TEST(SegmentPicture, LinesBetweenAreLeftOut) {
   std::vector<LineSegment> all;
   for (int line = 0; line < 20; ++line) all.push_back(segment(ScanDirection::Columns, line, 1, 4, 3));
   const ColorImage image = drawSegments(depth, all);
-  for (int line = 0; line < 20; ++line) EXPECT_EQ(same(image.at(2, line), labelColor(3)), line % 6 == 0) << line;
+  for (int line = 0; line < 20; ++line) EXPECT_EQ(sameColor(image.at(2, line), labelColor(3)), line % 6 == 0) << line;
 }
 
 /// A grid has columns 1, 3, 5 ... or 2, 6, 10 ...: every sixth column of the image may be none of them.
@@ -64,8 +64,8 @@ TEST(SegmentPicture, ScanLinesOfAGridAreDrawnWhereverTheyLie) {
     const int step = stride == 4 ? 8 : 6;
     for (int line = 0; line < 40; ++line) {
       const bool drawn = line % step == stride / 2;
-      EXPECT_EQ(same(image.at(0, line), labelColor(3)), drawn) << stride << ' ' << line;
-      EXPECT_EQ(same(image.at(line, 0), labelColor(3)), drawn) << stride << ' ' << line;
+      EXPECT_EQ(sameColor(image.at(0, line), labelColor(3)), drawn) << stride << ' ' << line;
+      EXPECT_EQ(sameColor(image.at(line, 0), labelColor(3)), drawn) << stride << ' ' << line;
     }
   }
 }
