@@ -12,8 +12,8 @@ namespace epcc {
 namespace {
 
 /// Right, up, left, down on the picture: a turn to the left is the next.
-constexpr int kColumnStep[4] = {1, 0, -1, 0};
-constexpr int kRowStep[4] = {0, -1, 0, 1};
+constexpr int kSideColumnStep[4] = {1, 0, -1, 0};
+constexpr int kSideRowStep[4] = {0, -1, 0, 1};
 /// The pixel to the left of a step from a corner, relative to the corner; to the right it is that of the turn before.
 constexpr int kLeftColumn[4] = {0, -1, -1, 0};
 constexpr int kLeftRow[4] = {-1, -1, 0, 0};
@@ -112,8 +112,8 @@ class ArcFinder {
 
   // ---- corners ----
   int next(int corner, int direction) const {
-    const int row = corner / arcs_.columns + kRowStep[direction];
-    int column = corner % arcs_.columns + kColumnStep[direction];
+    const int row = corner / arcs_.columns + kSideRowStep[direction];
+    int column = corner % arcs_.columns + kSideColumnStep[direction];
     if (closes_round_) column = wrapped(column);
     return row * arcs_.columns + column;
   }
@@ -122,8 +122,8 @@ class ArcFinder {
   }
   int rightOf(int corner, int direction) const { return leftOf(corner, (direction + 3) % 4); }
   bool leavesGrid(int corner, int direction) const {
-    const int row = arcs_.row(corner) + kRowStep[direction];
-    const int column = arcs_.column(corner) + kColumnStep[direction];
+    const int row = arcs_.row(corner) + kSideRowStep[direction];
+    const int column = arcs_.column(corner) + kSideColumnStep[direction];
     return row < 0 || row > height_ || (!closes_round_ && (column < 0 || column >= arcs_.columns));
   }
   /// More than two labels meet here, or two in a checkerboard.

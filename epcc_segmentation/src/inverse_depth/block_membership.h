@@ -16,7 +16,7 @@ struct PixelPlane {
 };
 
 /// Rays in single precision: across and forward per column, along per row.
-struct PixelRays {
+struct RaysOfPixels {
   const float *across, *along, *forward;
 };
 

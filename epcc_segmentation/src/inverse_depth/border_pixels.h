@@ -62,7 +62,7 @@ class BorderQuestions {
 /// What the answers depend on. All images are row-major and of this width.
 struct BorderPixels {
   const float* w;
-  PixelRays rays;
+  RaysOfPixels rays;
   const float* scale;  ///< per row: measured inverse depth = w * scale
   std::int32_t width;
   const PixelPlane* planes;  ///< per label

@@ -22,7 +22,7 @@ void toSingle(const std::vector<double>& values, std::vector<float>& single) {
 class BorderEdges {
  public:
   BorderEdges(const InverseDepthImage& image, const RegionMap& map, const GridSteps& steps, int probe,
-              const PixelPlane* planes, const PixelRays& rays, BorderMemory& memory)
+              const PixelPlane* planes, const RaysOfPixels& rays, BorderMemory& memory)
       : image_(image),
         samples_(map.labels.data()),
         rows_(sampleCount(image.height, steps.along)),
@@ -124,7 +124,7 @@ class BorderEdges {
   GridSteps steps_;
   int probe_;  // samples between the border and what lies to its sides
   const PixelPlane* planes_;
-  const PixelRays& rays_;
+  const RaysOfPixels& rays_;
   BorderMemory& memory_;
 };
 
@@ -149,7 +149,7 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
   toSingle(image.forward, forward_);
   takePlanes(map.regions);
   toSingle(image.measured_scale, scale_);
-  const PixelRays rays{across_.data(), along_.data(), forward_.data()};
+  const RaysOfPixels rays{across_.data(), along_.data(), forward_.data()};
   const BorderPixels pixels{image.w.data(),
                             rays,
                             scale_.data(),
