@@ -13,7 +13,7 @@ namespace epcc {
 
 namespace {
 
-constexpr std::size_t kFewestSamples = 3;
+constexpr std::size_t kFewestLineSamples = 3;
 
 ClusteredLine lineThrough(const std::vector<const ScanSample*>& samples, const ScanLine& scan_line) {
   ClusteredLine line;
@@ -36,7 +36,7 @@ void fitColumns(const DepthFrame& view, const SensorModel& sensor, SegmentFitter
     readScanLine(view, sensor, column, scan_line);
     std::int32_t label = 0;
     const auto finish = [&] {
-      if (label != 0 && samples.size() >= kFewestSamples) {
+      if (label != 0 && samples.size() >= kFewestLineSamples) {
         result.segments.push_back(lineSegmentOf(view, column, lineThrough(samples, scan_line)));
         result.segments.back().label = label;
         fitter.fit(samples, result.segments.back());

@@ -13,12 +13,12 @@ namespace epcc {
 namespace {
 
 constexpr double kNearest = 0.5, kFarthest = 2.0;  // a sample's distance over that of the line
-constexpr double kLargestStep = 0.2;               // relative, between two fits of a line
+constexpr double kLargestLineStep = 0.2;           // relative, between two fits of a line
 // Degrees of freedom that the frame's mean square is worth beside a segment's own: surfaces differ by a third or so.
 constexpr double kWorthOfFrame = 10.0;
 
 /// Normal equations of the step.
-struct Normal {
+struct LineStep {
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   Eigen::Vector2d rays = Eigen::Vector2d::Zero();
@@ -26,7 +26,7 @@ struct Normal {
   double squares = 0.0;
   int count = 0;
 
-  Normal(const std::vector<const ScanSample*>& samples, const SensorModel& sensor, const Eigen::Vector2d& theta) {
+  LineStep(const std::vector<const ScanSample*>& samples, const SensorModel& sensor, const Eigen::Vector2d& theta) {
     for (const ScanSample* sample : samples) {
       const double w = theta.dot(sample->ray);
       const double ratio = theta.dot(sample->t);
@@ -58,7 +58,7 @@ void SegmentFitter::fit(const std::vector<const ScanSample*>& samples, LineSegme
   Eigen::Vector2d theta = normal / distance;
   segment.theta = theta;
 
-  const Normal sums(samples, sensor_, theta);
+  const LineStep sums(samples, sensor_, theta);
   if (sums.count < 3 || !(sums.information.determinant() > 0.0)) return;
   // The change of theta that moves the inverse depth by 1 all along the segment, and the one that turns it about its
   // middle: they are estimated independently of each other.
@@ -67,7 +67,7 @@ void SegmentFitter::fit(const std::vector<const ScanSample*>& samples, LineSegme
   const double of_offset = sums.rays.dot(offset), of_slope = slope.dot(sums.information * slope);
   const double step = offset.dot(sums.gradient) / of_offset, turn = slope.dot(sums.gradient) / of_slope;
   const double change = std::abs(step) + std::abs(turn) * std::sqrt(3.0 * of_slope / sums.weights);
-  if (!(change <= kLargestStep * std::abs(theta.dot(sums.rays)) / sums.weights)) return;
+  if (!(change <= kLargestLineStep * std::abs(theta.dot(sums.rays)) / sums.weights)) return;
   theta += step * offset + turn * slope;
   segment.theta = theta;
 
