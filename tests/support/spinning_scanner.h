@@ -19,7 +19,9 @@ struct SpinningScanner {
   int columns = 720;
   double lowest = 25.0;
   double wall_height = 3.0;
-  double noise = 0.0;  // metres, white
+  double noise = 0.0;                 // metres, white
+  double heading = 0.0;               // it looks to the left of the room's x axis by that, radians
+  std::vector<double> ring_azimuths;  // to the left of the column's, radians; empty: rings are not staggered
 
   std::vector<double> elevations() const {
     std::vector<double> result;
@@ -30,14 +32,16 @@ struct SpinningScanner {
   double azimuth(std::int64_t index) const {
     return std::remainder(static_cast<double>(index % columns) * azimuthStep(), 2.0 * M_PI);
   }
-  StreamGeometry geometry() const { return StreamGeometry::scanner(elevations(), azimuthStep()); }
+  StreamGeometry geometry() const { return StreamGeometry::scanner(elevations(), azimuthStep(), ring_azimuths); }
+  double ringAzimuth(std::size_t ring) const { return ring_azimuths.empty() ? 0.0 : ring_azimuths[ring]; }
 
   /// Of one column, NaN where nothing is hit.
   std::vector<float> ranges(std::int64_t index, std::mt19937& random) const {
     std::normal_distribution<double> normal;
     std::vector<float> result;
-    const double ahead = std::cos(azimuth(index)), left = std::sin(azimuth(index));
     for (const double elevation : elevations()) {
+      const double towards = heading + azimuth(index) + ringAzimuth(result.size());
+      const double ahead = std::cos(towards), left = std::sin(towards);
       const double level = std::cos(elevation), up = std::sin(elevation);
       const double wall = 1.0 / std::max({ahead / 5.0, -ahead / 3.0, left / 2.5, -left / 3.5, 1e-9}) / level;
       const double floor = up < 0.0 ? -1.5 / up : 1e9;

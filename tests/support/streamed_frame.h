@@ -12,11 +12,11 @@
 
 namespace epcc::test {
 
-/// Labels and planes of a stream whose scan lines have the indices 0, 1, ...
+/// Labels and planes of a stream whose scan lines have the indices first, first + 1, ...; here they count from 0.
 class StreamedFrame {
  public:
-  StreamedFrame(ScanLineStream& stream, int lines, int height)
-      : height_(height), labels_(static_cast<std::size_t>(lines * height), 0) {
+  StreamedFrame(ScanLineStream& stream, int lines, int height, std::int64_t first = 0)
+      : height_(height), first_(first), last_line_(first - 1), labels_(static_cast<std::size_t>(lines * height), 0) {
     stream.onLine([this](const LabelledLine& line) { take(line); });
     stream.onPlane([this](const StreamPlane& plane) { take(plane); });
   }
@@ -37,7 +37,7 @@ class StreamedFrame {
       EXPECT_EQ(planes_.count(run.plane), 0u) << "a plane comes behind its lines";
       next = run.last + 1;
       for (std::int32_t place = run.first; place <= run.last; ++place)
-        labels_[static_cast<std::size_t>(line.index) * static_cast<std::size_t>(height_) +
+        labels_[static_cast<std::size_t>(line.index - first_) * static_cast<std::size_t>(height_) +
                 static_cast<std::size_t>(place)] = run.plane;
     }
   }
@@ -47,7 +47,8 @@ class StreamedFrame {
   }
 
   int height_;
-  std::int64_t last_line_ = -1;
+  std::int64_t first_;
+  std::int64_t last_line_;
   int lines_ = 0;
   std::vector<std::int64_t> labels_;
   std::map<std::int64_t, StreamPlane> planes_;

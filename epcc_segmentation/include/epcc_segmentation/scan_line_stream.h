@@ -61,8 +61,8 @@ struct LabelRun {
 
 /// The labels of a scan line, final. What is in no run belongs to no plane.
 struct LabelledLine {
-  std::int64_t index = 0;          ///< of the scan line, as it was given or counted
-  double azimuth = 0.0;            ///< as it was given, radians; 0 if none was
+  std::int64_t index = 0;          ///< of the scan line, as it was given or counted; see StreamGeometry::ringShift()
+  double azimuth = 0.0;            ///< as it was given, radians; 0 if none was; of staggered rings its own column's
   const LabelRun* runs = nullptr;  ///< in order; valid during the call only
   std::size_t run_count = 0;       ///< how many there are
 
@@ -76,7 +76,7 @@ struct LabelledLine {
 /// takes some scan lines at a time, Algorithm 2 one after another; what no coming scan line can touch is handed out and
 /// forgotten, so that memory stays bounded on a stream without end. Labels and planes are those of the whole frame's
 /// column scan in the paper mode (Parameters::forPaper() with ScanDirection::Columns; of rows with Rows): labels to the
-/// pixel, planes to rounding.
+/// pixel, planes to rounding. Of a scanner with staggered rings that is the cloud whose columns are its scan lines.
 ///
 ///     epcc::ScanLineStream stream(epcc::StreamGeometry::scanner(elevations, azimuth_step), options);
 ///     stream.onPlane([](const epcc::StreamPlane& plane) { ... });
@@ -111,14 +111,26 @@ class EPCC_CORE_EXPORT ScanLineStream {
   /// left out, if it comes late or twice (Status::OutOfOrder), is none of the camera's (SizeMismatch), is null
   /// (EmptyCloud), or if the stream's scan lines are others (UnsupportedScan).
   bool addColumn(std::int64_t index, const float* depth, std::ptrdiff_t stride = 1);
+  /// The same of 16-bit values, `scale` metres per unit, millimetres unless it says otherwise, `stride` values apart;
+  /// 0 and 65535 are not measured, as in DepthView. A scale that is not positive and finite is Status::InvalidCamera.
+  bool addColumn(std::int64_t index, const std::uint16_t* depth, std::ptrdiff_t stride = 1, double scale = 0.001);
   /// The same of a camera that is read row by row.
   bool addRow(std::int64_t index, const float* depth, std::ptrdiff_t stride = 1);
+  /// The same of 16-bit values, `scale` metres per unit; 0 and 65535 are not measured.
+  bool addRow(std::int64_t index, const std::uint16_t* depth, std::ptrdiff_t stride = 1, double scale = 0.001);
   /// A column of a scanner: ranges in metres, one a ring, at an azimuth in radians about the z-up axis, 0 forward and
-  /// growing to the left. `index` counts the columns of all turns, lost ones too.
+  /// growing to the left. `index` counts the columns of all turns, lost ones too. With staggered rings the azimuth is
+  /// the column's, to which each ring's own is added (StreamGeometry::scanner()); a scan line is complete, and taken by
+  /// Algorithm 1, when the last of its rings has looked at it.
   bool addColumn(std::int64_t index, double azimuth, const float* ranges, std::ptrdiff_t stride = 1);
+  /// The same of 16-bit values, `scale` metres per unit; 0 and 65535 are not measured.
+  bool addColumn(std::int64_t index, double azimuth, const std::uint16_t* ranges, std::ptrdiff_t stride = 1,
+                 double scale = 0.001);
   /// The same where nobody counts: the place follows from the azimuth and the geometry's azimuth step. A column that
   /// lies up to half a turn behind the last one is late (Status::OutOfOrder).
   bool addColumnAt(double azimuth, const float* ranges, std::ptrdiff_t stride = 1);
+  /// The same of 16-bit values, `scale` metres per unit; 0 and 65535 are not measured.
+  bool addColumnAt(double azimuth, const std::uint16_t* ranges, std::ptrdiff_t stride = 1, double scale = 0.001);
   /// A column of a cloud: x, y, z of point i at xyz + stride * i, metres, the sensor's frame (DepthFrame::fromPoints).
   bool addPoints(std::int64_t index, const float* xyz, std::ptrdiff_t stride = 3);
 
@@ -129,7 +141,8 @@ class EPCC_CORE_EXPORT ScanLineStream {
   void reset();
 
   /// Fills `planes` with those that can grow still and are large enough already, by id, as they are after the scan
-  /// lines that Algorithm 2 has seen: up to StreamOptions::lines_at_once fewer than were added.
+  /// lines that Algorithm 2 has seen: up to StreamOptions::lines_at_once fewer than were added, and as many more as
+  /// staggered rings are columns apart.
   void openPlanes(std::vector<StreamPlane>& planes) const;
 
   /// How the last scan line, or finish(), ended.
@@ -153,7 +166,11 @@ class EPCC_CORE_EXPORT ScanLineStream {
 
  private:
   struct State;
+  std::int64_t indexAt(double azimuth) const;
+  bool accepts(StreamGeometry::Kind kind, double azimuth, const void* values);
   bool add(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const float* values, std::ptrdiff_t stride);
+  bool addUnits(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const std::uint16_t* values,
+                std::ptrdiff_t stride, double scale);
   bool fail(Status status, const std::string& error);
   template <typename Work>
   bool guarded(const Work& work);

@@ -8,16 +8,9 @@
 
 #include "epcc_segmentation/sensor_estimation.h"
 #include "epcc_segmentation/stream_geometry.h"
+#include "stream/given_line.h"
 
 namespace epcc {
-
-/// A scan line as it came: depths, ranges at an azimuth, or points.
-struct GivenLine {
-  std::int64_t index = 0;
-  double azimuth = 0.0;
-  const float* values = nullptr;
-  std::ptrdiff_t stride = 1;  ///< floats
-};
 
 /// Keeps up to `capacity` scan lines, lost ones among them.
 class MeasuredStretch {

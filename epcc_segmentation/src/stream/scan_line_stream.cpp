@@ -59,8 +59,24 @@ bool ScanLineStream::addColumn(std::int64_t index, double azimuth, const float* 
 }
 
 bool ScanLineStream::addColumnAt(double azimuth, const float* ranges, std::ptrdiff_t stride) {
-  const std::int64_t index = std::isfinite(azimuth) ? state_->order.indexAt(azimuth) : 0;
-  return add(Kind::Scanner, index, azimuth, ranges, stride);
+  return add(Kind::Scanner, indexAt(azimuth), azimuth, ranges, stride);
+}
+
+bool ScanLineStream::addColumn(std::int64_t index, const std::uint16_t* depth, std::ptrdiff_t stride, double scale) {
+  return addUnits(Kind::CameraColumns, index, 0.0, depth, stride, scale);
+}
+
+bool ScanLineStream::addRow(std::int64_t index, const std::uint16_t* depth, std::ptrdiff_t stride, double scale) {
+  return addUnits(Kind::CameraRows, index, 0.0, depth, stride, scale);
+}
+
+bool ScanLineStream::addColumn(std::int64_t index, double azimuth, const std::uint16_t* ranges, std::ptrdiff_t stride,
+                               double scale) {
+  return addUnits(Kind::Scanner, index, azimuth, ranges, stride, scale);
+}
+
+bool ScanLineStream::addColumnAt(double azimuth, const std::uint16_t* ranges, std::ptrdiff_t stride, double scale) {
+  return addUnits(Kind::Scanner, indexAt(azimuth), azimuth, ranges, stride, scale);
 }
 
 bool ScanLineStream::addPoints(std::int64_t index, const float* xyz, std::ptrdiff_t stride) {
@@ -68,14 +84,32 @@ bool ScanLineStream::addPoints(std::int64_t index, const float* xyz, std::ptrdif
   return add(Kind::Points, index, 0.0, xyz, stride);
 }
 
-bool ScanLineStream::add(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const float* values,
-                         std::ptrdiff_t stride) {
-  State& state = *state_;
+std::int64_t ScanLineStream::indexAt(double azimuth) const {
+  return std::isfinite(azimuth) ? state_->order.indexAt(azimuth) : 0;
+}
+
+bool ScanLineStream::accepts(StreamGeometry::Kind kind, double azimuth, const void* values) {
+  const State& state = *state_;
   if (!state.isUsable()) return false;
   if (kind != state.geometry.kind())
     return fail(Status::UnsupportedScan, std::string("the stream takes ") + nameOf(state.geometry.kind()));
   if (values == nullptr) return fail(Status::EmptyCloud, "the scan line has no values");
   if (!std::isfinite(azimuth)) return fail(Status::InvalidParameters, "the azimuth must be finite");
+  return true;
+}
+
+bool ScanLineStream::addUnits(StreamGeometry::Kind kind, std::int64_t index, double azimuth,
+                              const std::uint16_t* values, std::ptrdiff_t stride, double scale) {
+  if (!accepts(kind, azimuth, values)) return false;
+  if (!(scale > 0.0) || !std::isfinite(scale))
+    return fail(Status::InvalidCamera, "the scan line's scale must be positive");
+  return add(kind, index, azimuth, state_->inMetres(values, stride, scale), 1);
+}
+
+bool ScanLineStream::add(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const float* values,
+                         std::ptrdiff_t stride) {
+  if (!accepts(kind, azimuth, values)) return false;
+  State& state = *state_;
   return guarded([&] {
     const std::string order_problem = state.orderProblem(index, state.status);
     if (!order_problem.empty()) {
@@ -86,7 +120,7 @@ bool ScanLineStream::add(StreamGeometry::Kind kind, std::int64_t index, double a
     state.lost += state.order.lostBefore(index);
     ++state.taken;
     state.order.take(index, azimuth);
-    state.take({index, azimuth, values, stride});
+    state.receive({index, azimuth, values, stride});
     return true;
   });
 }
@@ -95,11 +129,7 @@ bool ScanLineStream::finish() {
   State& state = *state_;
   if (!state.isUsable()) return false;
   return guarded([&] {
-    if (state.is_measuring && state.stretch.size() > 0) state.measureSensor();
-    state.cluster();
-    state.planes.finish();
-    state.order.begin(state.geometry.azimuthStep());
-    state.has_collected = false;
+    state.finish();
     return true;
   });
 }

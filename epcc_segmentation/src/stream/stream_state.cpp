@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "depth_rows.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/sensor_estimation.h"
 #include "epcc_segmentation/vector_unit.h"
@@ -33,10 +34,16 @@ std::string optionsProblem(const StreamOptions& options) {
   return vectorUnitProblem();
 }
 
+StreamGeometry lineGeometry(const StreamGeometry& geometry) {
+  if (!geometry.isStaggered()) return geometry;
+  return StreamGeometry::points(geometry.height(), geometry.projection(), geometry.azimuthStep());
+}
+
 }  // namespace
 
 ScanLineStream::State::State(const StreamGeometry& given_geometry, const StreamOptions& given_options)
     : geometry(given_geometry),
+      line_geometry(lineGeometry(given_geometry)),
       options(given_options),
       sensor(options.sensor.value_or(SensorEstimate().model())),
       problem(geometry.validate()) {
@@ -54,12 +61,15 @@ void ScanLineStream::State::begin() {
   is_broken = false;
   taken = lost = refused = 0;
   order.begin(geometry.azimuthStep());
-  collected.begin(geometry);
+  units.assign(static_cast<std::size_t>(geometry.height()), 0);
+  metres.assign(static_cast<std::size_t>(geometry.height()), 0.0f);
+  rings.begin(geometry);
+  collected.begin(line_geometry);
   has_collected = false;
   numbers.assign(static_cast<std::size_t>(geometry.height()) * kStripLines, 0);
   measured_blocks = 0;
   is_measuring = !options.sensor.has_value();
-  stretch.begin(geometry, options.measured_lines);
+  stretch.begin(line_geometry, options.measured_lines);
   useSensor(options.sensor.value_or(SensorEstimate().model()));
 }
 
@@ -88,6 +98,29 @@ std::string ScanLineStream::State::orderProblem(std::int64_t index, Status& why)
   return {};
 }
 
+const float* ScanLineStream::State::inMetres(const std::uint16_t* values, std::ptrdiff_t stride, double scale) {
+  if (stride != 1) {
+    for (std::size_t i = 0; i < units.size(); ++i) units[i] = values[static_cast<std::ptrdiff_t>(i) * stride];
+    values = units.data();
+  }
+  depthsInMetres(values, metres.size(), scale, metres.data());
+  return metres.data();
+}
+
+void ScanLineStream::State::receive(const GivenLine& line) {
+  if (!geometry.isStaggered()) return take(line);
+  rings.add(line, [this](const GivenLine& complete) { take(complete); });
+}
+
+void ScanLineStream::State::finish() {
+  rings.finish([this](const GivenLine& complete) { take(complete); });
+  if (is_measuring && stretch.size() > 0) measureSensor();
+  cluster();
+  planes.finish();
+  order.begin(geometry.azimuthStep());
+  has_collected = false;
+}
+
 void ScanLineStream::State::take(const GivenLine& line) {
   if (is_measuring && !stretch.takes(line.index)) measureSensor();
   if (is_measuring)
@@ -110,7 +143,7 @@ void ScanLineStream::State::collect(const GivenLine& line) {
   places[static_cast<std::size_t>(collected.size())] = {line.index, lost_before, line.azimuth};
   last_collected = line.index;
   has_collected = true;
-  switch (geometry.kind()) {
+  switch (line_geometry.kind()) {
     case Kind::CameraColumns:
     case Kind::CameraRows:
       collected.addDepths(line.index, line.values, line.stride);

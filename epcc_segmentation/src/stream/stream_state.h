@@ -14,6 +14,7 @@
 #include "stream/line_order.h"
 #include "stream/measured_stretch.h"
 #include "stream/segment_sums.h"
+#include "stream/staggered_rings.h"
 #include "stream/stream_planes.h"
 
 namespace epcc {
@@ -24,13 +25,19 @@ struct ScanLineStream::State {
   std::string orderProblem(std::int64_t index, Status& why) const;
   /// Otherwise status and error say why, or said so.
   bool isUsable() const { return problem.empty() && !is_broken; }
+  /// Values of a scan line in metres, as DepthFrame reads those of an image: valid until the next call.
+  const float* inMetres(const std::uint16_t* values, std::ptrdiff_t stride, double scale);
+  /// A scan line, or a column whose rings belong to several.
+  void receive(const GivenLine& line);
   void take(const GivenLine& line);
   void collect(const GivenLine& line);
+  void finish();
   void measureSensor();
   void useSensor(const SensorModel& model);
   void cluster();
 
   StreamGeometry geometry;
+  StreamGeometry line_geometry;  // of the scan lines that Algorithm 1 sees: staggered rings come as points
   StreamOptions options;
   SensorModel sensor;
   Status status = Status::Ok;
@@ -41,6 +48,9 @@ struct ScanLineStream::State {
   std::size_t measured_blocks = 0;
   std::int64_t taken = 0, lost = 0, refused = 0;
   LineOrder order;
+  std::vector<std::uint16_t> units;  // of a scan line of whole numbers, side by side
+  std::vector<float> metres;         // the same
+  StaggeredRings rings;
   MeasuredStretch stretch;
   CollectedStrip collected;
   struct Place {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 #include <random>
 
@@ -84,6 +85,44 @@ TEST(StreamMemory, StaysTheSameOverTenMillionColumns) {
   EXPECT_LE(count.planes, 5 * turns);
   EXPECT_EQ(count.last_id, count.planes);
   EXPECT_GT(count.labelled, kColumns * 16 / 3) << "the rest is sky";
+}
+
+// Staggered rings wait for their scan lines; whole numbers are turned into metres.
+TEST(StreamMemory, StaysTheSameWithStaggeredRingsOfWholeNumbers) {
+  std::mt19937 random(1);
+  test::SpinningScanner scanner;
+  scanner.noise = 0.003;
+  for (int ring = 0; ring < scanner.rings; ++ring)
+    scanner.ring_azimuths.push_back((ring % 4 * 5 - 7) * scanner.azimuthStep());
+  constexpr std::ptrdiff_t kStride = 2;  // every other value of the columns
+  std::vector<std::vector<std::uint16_t>> columns;
+  for (int c = 0; c < scanner.columns; ++c) {
+    columns.emplace_back();
+    for (const float range : scanner.ranges(c, random))
+      for (int i = 0; i < kStride; ++i)
+        columns.back().push_back(std::isnan(range) ? 0 : static_cast<std::uint16_t>(std::lround(range / 0.002f)));
+  }
+  StreamOptions options;
+  options.sensor = SensorModel::axial(0.003, 0.0);
+  ScanLineStream stream(scanner.geometry(), options);
+  Count count;
+  countInto(count, stream);
+  std::int64_t index = 0;
+  const auto feed = [&](int turns) {
+    bool all_taken = true;
+    for (std::int64_t end = index + turns * scanner.columns; index < end; ++index) {
+      if (index % 1000 >= 990) continue;  // lost
+      const auto& column = columns[static_cast<std::size_t>(index % scanner.columns)];
+      all_taken = stream.addColumn(index, scanner.azimuth(index), column.data(), kStride, 0.002) && all_taken;
+    }
+    return all_taken;
+  };
+  ASSERT_TRUE(feed(50)) << stream.error();
+  const std::int64_t warm = count.planes;
+  test::forgetAllocations();
+  EXPECT_TRUE(feed(100));
+  EXPECT_EQ(test::largestAllocation(), 0u);
+  EXPECT_GE(count.planes, warm + 400) << "four walls, each turn";
 }
 
 // Nothing but clutter, gaps, and one that nobody listens to.

@@ -203,7 +203,7 @@ TEST(StreamOrder, OfAnotherKindOfScanLinesIsRefusedWithTheRightCall) {
   ScanLineStream rows(StreamGeometry::cameraRows({40, 30, 30.0, 30.0, 19.5, 14.5}), given());
   EXPECT_FALSE(rows.addColumn(0, values.data()));
   EXPECT_NE(rows.error().find("addRow"), std::string::npos) << rows.error();
-  EXPECT_FALSE(rows.addRow(0, nullptr));
+  EXPECT_FALSE(rows.addRow(0, static_cast<const float*>(nullptr)));
   EXPECT_EQ(rows.status(), Status::EmptyCloud);
   EXPECT_TRUE(rows.addRow(0, values.data()));
   ScanLineStream points(StreamGeometry::points(2, Projection::Spherical), given());
