@@ -106,30 +106,32 @@ class EPCC_CORE_EXPORT ScanLineStream {
   /// times look_back (PaperParameters::Planes), or as many as it takes to reach min_points.
   void onLine(std::function<void(const LabelledLine&)> callback);
 
-  /// The column `index` of a camera: geometry.height() depths in metres, `stride` floats apart; <= 0, NaN and Inf are
-  /// not measured. Indices rise; what is left out counts as lost: scan lines without a sample. False, and the column is
-  /// left out, if it comes late or twice (Status::OutOfOrder), is none of the camera's (SizeMismatch), is null
-  /// (EmptyCloud), or if the stream's scan lines are others (UnsupportedScan).
-  bool addColumn(std::int64_t index, const float* depth, std::ptrdiff_t stride = 1);
-  /// The same of 16-bit values, `scale` metres per unit, millimetres unless it says otherwise, `stride` values apart;
-  /// 0 and 65535 are not measured, as in DepthView. A scale that is not positive and finite is Status::InvalidCamera.
+  /// The column `index` of a camera: geometry.height() depths, `stride` floats apart, `scale` metres per unit; <= 0,
+  /// NaN and Inf are not measured. Indices rise; what is left out counts as lost: scan lines without a sample. False,
+  /// and the column is left out, if it comes late or twice (Status::OutOfOrder), is none of the camera's
+  /// (SizeMismatch), is null (EmptyCloud), if the scale is not positive (InvalidCamera), or if the stream's scan lines
+  /// are others (UnsupportedScan).
+  bool addColumn(std::int64_t index, const float* depth, std::ptrdiff_t stride = 1, double scale = 1.0);
+  /// The same of 16-bit values, millimetres unless the scale says otherwise, `stride` values apart; 0 and 65535 are not
+  /// measured: all as DepthView has it.
   bool addColumn(std::int64_t index, const std::uint16_t* depth, std::ptrdiff_t stride = 1, double scale = 0.001);
-  /// The same of a camera that is read row by row.
-  bool addRow(std::int64_t index, const float* depth, std::ptrdiff_t stride = 1);
-  /// The same of 16-bit values, `scale` metres per unit; 0 and 65535 are not measured.
+  /// The same as addColumn() of a camera that is read row by row.
+  bool addRow(std::int64_t index, const float* depth, std::ptrdiff_t stride = 1, double scale = 1.0);
+  /// The same of 16-bit values, millimetres unless the scale says otherwise; 0 and 65535 are not measured.
   bool addRow(std::int64_t index, const std::uint16_t* depth, std::ptrdiff_t stride = 1, double scale = 0.001);
-  /// A column of a scanner: ranges in metres, one a ring, at an azimuth in radians about the z-up axis, 0 forward and
-  /// growing to the left. `index` counts the columns of all turns, lost ones too. With staggered rings the azimuth is
-  /// the column's, to which each ring's own is added (StreamGeometry::scanner()); a scan line is complete, and taken by
-  /// Algorithm 1, when the last of its rings has looked at it.
-  bool addColumn(std::int64_t index, double azimuth, const float* ranges, std::ptrdiff_t stride = 1);
-  /// The same of 16-bit values, `scale` metres per unit; 0 and 65535 are not measured.
+  /// A column of a scanner: ranges, one a ring, `scale` metres per unit, at an azimuth in radians about the z-up axis,
+  /// 0 forward and growing to the left. `index` counts the columns of all turns, lost ones too. With staggered rings
+  /// the azimuth is the column's, to which each ring's own is added (StreamGeometry::scanner()); a scan line is
+  /// complete, and goes to Algorithm 1, when the last of its rings has looked at it.
+  bool addColumn(std::int64_t index, double azimuth, const float* ranges, std::ptrdiff_t stride = 1,
+                 double scale = 1.0);
+  /// The same of 16-bit values, millimetres unless the scale says otherwise; 0 and 65535 are not measured.
   bool addColumn(std::int64_t index, double azimuth, const std::uint16_t* ranges, std::ptrdiff_t stride = 1,
                  double scale = 0.001);
   /// The same where nobody counts: the place follows from the azimuth and the geometry's azimuth step. A column that
   /// lies up to half a turn behind the last one is late (Status::OutOfOrder).
-  bool addColumnAt(double azimuth, const float* ranges, std::ptrdiff_t stride = 1);
-  /// The same of 16-bit values, `scale` metres per unit; 0 and 65535 are not measured.
+  bool addColumnAt(double azimuth, const float* ranges, std::ptrdiff_t stride = 1, double scale = 1.0);
+  /// The same of 16-bit values, millimetres unless the scale says otherwise; 0 and 65535 are not measured.
   bool addColumnAt(double azimuth, const std::uint16_t* ranges, std::ptrdiff_t stride = 1, double scale = 0.001);
   /// A column of a cloud: x, y, z of point i at xyz + stride * i, metres, the sensor's frame (DepthFrame::fromPoints).
   bool addPoints(std::int64_t index, const float* xyz, std::ptrdiff_t stride = 3);
@@ -168,9 +170,10 @@ class EPCC_CORE_EXPORT ScanLineStream {
   struct State;
   std::int64_t indexAt(double azimuth) const;
   bool accepts(StreamGeometry::Kind kind, double azimuth, const void* values);
-  bool add(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const float* values, std::ptrdiff_t stride);
-  bool addUnits(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const std::uint16_t* values,
-                std::ptrdiff_t stride, double scale);
+  bool add(std::int64_t index, double azimuth, const float* values, std::ptrdiff_t stride);
+  template <typename T>
+  bool addScaled(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const T* values, std::ptrdiff_t stride,
+                 double scale);
   bool fail(Status status, const std::string& error);
   template <typename Work>
   bool guarded(const Work& work);

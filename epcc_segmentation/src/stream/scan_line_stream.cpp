@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,42 +47,44 @@ void ScanLineStream::onLine(std::function<void(const LabelledLine&)> callback) {
   state_->planes.on_line = std::move(callback);
 }
 
-bool ScanLineStream::addColumn(std::int64_t index, const float* depth, std::ptrdiff_t stride) {
-  return add(Kind::CameraColumns, index, 0.0, depth, stride);
+bool ScanLineStream::addColumn(std::int64_t index, const float* depth, std::ptrdiff_t stride, double scale) {
+  return addScaled(Kind::CameraColumns, index, 0.0, depth, stride, scale);
 }
 
-bool ScanLineStream::addRow(std::int64_t index, const float* depth, std::ptrdiff_t stride) {
-  return add(Kind::CameraRows, index, 0.0, depth, stride);
+bool ScanLineStream::addRow(std::int64_t index, const float* depth, std::ptrdiff_t stride, double scale) {
+  return addScaled(Kind::CameraRows, index, 0.0, depth, stride, scale);
 }
 
-bool ScanLineStream::addColumn(std::int64_t index, double azimuth, const float* ranges, std::ptrdiff_t stride) {
-  return add(Kind::Scanner, index, azimuth, ranges, stride);
+bool ScanLineStream::addColumn(std::int64_t index, double azimuth, const float* ranges, std::ptrdiff_t stride,
+                               double scale) {
+  return addScaled(Kind::Scanner, index, azimuth, ranges, stride, scale);
 }
 
-bool ScanLineStream::addColumnAt(double azimuth, const float* ranges, std::ptrdiff_t stride) {
-  return add(Kind::Scanner, indexAt(azimuth), azimuth, ranges, stride);
+bool ScanLineStream::addColumnAt(double azimuth, const float* ranges, std::ptrdiff_t stride, double scale) {
+  return addScaled(Kind::Scanner, indexAt(azimuth), azimuth, ranges, stride, scale);
 }
 
 bool ScanLineStream::addColumn(std::int64_t index, const std::uint16_t* depth, std::ptrdiff_t stride, double scale) {
-  return addUnits(Kind::CameraColumns, index, 0.0, depth, stride, scale);
+  return addScaled(Kind::CameraColumns, index, 0.0, depth, stride, scale);
 }
 
 bool ScanLineStream::addRow(std::int64_t index, const std::uint16_t* depth, std::ptrdiff_t stride, double scale) {
-  return addUnits(Kind::CameraRows, index, 0.0, depth, stride, scale);
+  return addScaled(Kind::CameraRows, index, 0.0, depth, stride, scale);
 }
 
 bool ScanLineStream::addColumn(std::int64_t index, double azimuth, const std::uint16_t* ranges, std::ptrdiff_t stride,
                                double scale) {
-  return addUnits(Kind::Scanner, index, azimuth, ranges, stride, scale);
+  return addScaled(Kind::Scanner, index, azimuth, ranges, stride, scale);
 }
 
 bool ScanLineStream::addColumnAt(double azimuth, const std::uint16_t* ranges, std::ptrdiff_t stride, double scale) {
-  return addUnits(Kind::Scanner, indexAt(azimuth), azimuth, ranges, stride, scale);
+  return addScaled(Kind::Scanner, indexAt(azimuth), azimuth, ranges, stride, scale);
 }
 
 bool ScanLineStream::addPoints(std::int64_t index, const float* xyz, std::ptrdiff_t stride) {
+  if (!accepts(Kind::Points, 0.0, xyz)) return false;
   if (stride < 3) return fail(Status::SizeMismatch, "the points are less than three floats apart");
-  return add(Kind::Points, index, 0.0, xyz, stride);
+  return add(index, 0.0, xyz, stride);
 }
 
 std::int64_t ScanLineStream::indexAt(double azimuth) const {
@@ -98,17 +101,18 @@ bool ScanLineStream::accepts(StreamGeometry::Kind kind, double azimuth, const vo
   return true;
 }
 
-bool ScanLineStream::addUnits(StreamGeometry::Kind kind, std::int64_t index, double azimuth,
-                              const std::uint16_t* values, std::ptrdiff_t stride, double scale) {
+template <typename T>
+bool ScanLineStream::addScaled(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const T* values,
+                               std::ptrdiff_t stride, double scale) {
   if (!accepts(kind, azimuth, values)) return false;
   if (!(scale > 0.0) || !std::isfinite(scale))
     return fail(Status::InvalidCamera, "the scan line's scale must be positive");
-  return add(kind, index, azimuth, state_->inMetres(values, stride, scale), 1);
+  if constexpr (std::is_same<T, float>::value)
+    if (scale == 1.0) return add(index, azimuth, values, stride);
+  return add(index, azimuth, state_->inMetres(values, stride, scale), 1);
 }
 
-bool ScanLineStream::add(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const float* values,
-                         std::ptrdiff_t stride) {
-  if (!accepts(kind, azimuth, values)) return false;
+bool ScanLineStream::add(std::int64_t index, double azimuth, const float* values, std::ptrdiff_t stride) {
   State& state = *state_;
   return guarded([&] {
     const std::string order_problem = state.orderProblem(index, state.status);

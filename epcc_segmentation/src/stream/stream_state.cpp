@@ -34,6 +34,14 @@ std::string optionsProblem(const StreamOptions& options) {
   return vectorUnitProblem();
 }
 
+/// As many values as `memory` has: where they lie, or in it.
+template <typename T>
+const T* sideBySide(const T* values, std::ptrdiff_t stride, std::vector<T>& memory) {
+  if (stride == 1) return values;
+  for (std::size_t i = 0; i < memory.size(); ++i) memory[i] = values[static_cast<std::ptrdiff_t>(i) * stride];
+  return memory.data();
+}
+
 StreamGeometry lineGeometry(const StreamGeometry& geometry) {
   if (!geometry.isStaggered()) return geometry;
   return StreamGeometry::points(geometry.height(), geometry.projection(), geometry.azimuthStep());
@@ -99,11 +107,12 @@ std::string ScanLineStream::State::orderProblem(std::int64_t index, Status& why)
 }
 
 const float* ScanLineStream::State::inMetres(const std::uint16_t* values, std::ptrdiff_t stride, double scale) {
-  if (stride != 1) {
-    for (std::size_t i = 0; i < units.size(); ++i) units[i] = values[static_cast<std::ptrdiff_t>(i) * stride];
-    values = units.data();
-  }
-  depthsInMetres(values, metres.size(), scale, metres.data());
+  depthsInMetres(sideBySide(values, stride, units), metres.size(), scale, metres.data());
+  return metres.data();
+}
+
+const float* ScanLineStream::State::inMetres(const float* values, std::ptrdiff_t stride, double scale) {
+  depthsInMetres(sideBySide(values, stride, metres), metres.size(), scale, metres.data());
   return metres.data();
 }
 

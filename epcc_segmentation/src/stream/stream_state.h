@@ -27,6 +27,7 @@ struct ScanLineStream::State {
   bool isUsable() const { return problem.empty() && !is_broken; }
   /// Values of a scan line in metres, as DepthFrame reads those of an image: valid until the next call.
   const float* inMetres(const std::uint16_t* values, std::ptrdiff_t stride, double scale);
+  const float* inMetres(const float* values, std::ptrdiff_t stride, double scale);
   /// A scan line, or a column whose rings belong to several.
   void receive(const GivenLine& line);
   void take(const GivenLine& line);
@@ -48,8 +49,8 @@ struct ScanLineStream::State {
   std::size_t measured_blocks = 0;
   std::int64_t taken = 0, lost = 0, refused = 0;
   LineOrder order;
-  std::vector<std::uint16_t> units;  // of a scan line of whole numbers, side by side
-  std::vector<float> metres;         // the same
+  std::vector<std::uint16_t> units;  // of a scan line with a scale: side by side ...
+  std::vector<float> metres;         // ... and what they are
   StaggeredRings rings;
   MeasuredStretch stretch;
   CollectedStrip collected;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scan lines of 16-bit values with a scale are read as DepthFrame reads images of them.
+// Scan lines of 16-bit values, or of floats, with a scale are read as DepthFrame reads images of them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,10 +19,10 @@ namespace {
 constexpr double kMillimetres = 0.001;
 
 /// Leaves the vector unit as it was.
-class WholeNumberLines : public ::testing::Test {
+class ScaledLines : public ::testing::Test {
  protected:
-  WholeNumberLines() { options_.sensor = SensorModel::axial(0.003, 0.001, 2.0); }
-  ~WholeNumberLines() override { setVectorUnit(before_); }
+  ScaledLines() { options_.sensor = SensorModel::axial(0.003, 0.001, 2.0); }
+  ~ScaledLines() override { setVectorUnit(before_); }
 
   /// A noisy room in units of `scale` metres, a tenth of it not measured in one way or the other.
   std::vector<std::uint16_t> unitsOf(double scale) {
@@ -45,7 +45,7 @@ class WholeNumberLines : public ::testing::Test {
   std::string before_ = vectorUnit();
 };
 
-TEST_F(WholeNumberLines, HaveTheLabelsAndPlanesOfTheWholeImageOnEveryVectorUnit) {
+TEST_F(ScaledLines, HaveTheLabelsAndPlanesOfTheWholeImageOnEveryVectorUnit) {
   for (const double scale : {kMillimetres, 0.0001, 0.0125}) {
     const std::vector<std::uint16_t> units = unitsOf(scale);
     const DepthView<std::uint16_t> view{units.data(), camera_.width, camera_.height, 0, scale};
@@ -72,7 +72,34 @@ TEST_F(WholeNumberLines, HaveTheLabelsAndPlanesOfTheWholeImageOnEveryVectorUnit)
   }
 }
 
-TEST_F(WholeNumberLines, AreMillimetresUnlessTheScaleSaysOtherwise) {
+TEST_F(ScaledLines, OfFloatsHaveAScaleAsWell) {
+  const std::vector<std::uint16_t> units = unitsOf(kMillimetres);
+  std::vector<float> millimetres;
+  for (const std::uint16_t value : units) millimetres.push_back(value == 65535 ? NAN : static_cast<float>(value));
+  const DepthView<float> view{millimetres.data(), camera_.width, camera_.height, 0, kMillimetres};
+  for (const bool rows : {false, true}) {
+    SCOPED_TRACE(rows ? "rows" : "columns");
+    PlaneExtractor extractor(test::wholeFrameParameters({}, rows), options_.sensor);
+    PlaneSegmentation whole;
+    ASSERT_TRUE(extractor.extract(DepthFrame::fromDepth(view, camera_), whole)) << extractor.error();
+    ScanLineStream stream(rows ? StreamGeometry::cameraRows(camera_) : StreamGeometry::cameraColumns(camera_),
+                          options_);
+    const int lines = rows ? camera_.height : camera_.width;
+    test::StreamedFrame streamed(stream, lines, rows ? camera_.width : camera_.height);
+    for (int i = 0; i < lines; ++i)
+      ASSERT_TRUE(rows ? stream.addRow(i, millimetres.data() + i * camera_.width, 1, kMillimetres)
+                       : stream.addColumn(i, millimetres.data() + i, camera_.width, kMillimetres));
+    ASSERT_TRUE(stream.finish());
+    ASSERT_GE(streamed.planes().size(), 3u);
+    test::expectTheFrame(streamed, whole, rows);
+  }
+  ScanLineStream scanner(test::SpinningScanner().geometry(), options_);
+  EXPECT_FALSE(scanner.addColumnAt(0.0, millimetres.data(), 1, -1.0));
+  EXPECT_EQ(scanner.status(), Status::InvalidCamera);
+  EXPECT_TRUE(scanner.addColumnAt(0.0, millimetres.data(), 1, kMillimetres)) << scanner.error();
+}
+
+TEST_F(ScaledLines, AreMillimetresUnlessTheScaleSaysOtherwise) {
   const std::vector<std::uint16_t> wall(static_cast<std::size_t>(camera_.width), 2000);
   ScanLineStream columns(StreamGeometry::cameraColumns(camera_), options_);
   ScanLineStream rows(StreamGeometry::cameraRows(camera_), options_);
@@ -87,7 +114,7 @@ TEST_F(WholeNumberLines, AreMillimetresUnlessTheScaleSaysOtherwise) {
   }
 }
 
-TEST_F(WholeNumberLines, OfAScannerAreItsRangesInMetres) {
+TEST_F(ScaledLines, OfAScannerAreItsRangesInMetres) {
   constexpr double kScale = 0.004;
   test::SpinningScanner scanner;
   scanner.noise = 0.004;
@@ -133,7 +160,7 @@ TEST_F(WholeNumberLines, OfAScannerAreItsRangesInMetres) {
   }
 }
 
-TEST_F(WholeNumberLines, AreMeasuredOnAsTheWholeImageIs) {
+TEST_F(ScaledLines, AreMeasuredOnAsTheWholeImageIs) {
   camera_ = test::testCamera(320, 240);
   const std::vector<std::uint16_t> units = unitsOf(kMillimetres);
   const DepthView<std::uint16_t> view{units.data(), camera_.width, camera_.height};
@@ -146,7 +173,7 @@ TEST_F(WholeNumberLines, AreMeasuredOnAsTheWholeImageIs) {
   EXPECT_EQ(stream.sensor().sigmaZ(2.0), estimate.model().sigmaZ(2.0));
 }
 
-TEST_F(WholeNumberLines, WithAScaleThatIsNoneAreLeftOutAndTheStreamGoesOn) {
+TEST_F(ScaledLines, WithAScaleThatIsNoneAreLeftOutAndTheStreamGoesOn) {
   const std::vector<std::uint16_t> wall(static_cast<std::size_t>(camera_.width), 2000);
   ScanLineStream rows(StreamGeometry::cameraRows(camera_), options_);
   const double infinity = std::numeric_limits<double>::infinity();
