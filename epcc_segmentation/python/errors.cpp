@@ -65,7 +65,8 @@ void bindErrors(py::module_& module) {
       .value("UNKNOWN_GEOMETRY", Status::UnknownGeometry,
              "Neither a camera nor a scanner sees the cloud's points in the order of its pixels.")
       .value("OUT_OF_MEMORY", Status::OutOfMemory, "There is not enough memory for a frame of this size.")
-      .value("FAILED", Status::Failed, "Anything else.");
+      .value("FAILED", Status::Failed, "Anything else.")
+      .value("OUT_OF_ORDER", Status::OutOfOrder, "Of a stream: a scan line came late or twice; it was left out.");
   const py::module_ builtins = py::module_::import("builtins");
   const py::object error =
       addException(module, "EpccError", "What the library reports; `status` (epcc.Status) says it to a program.",

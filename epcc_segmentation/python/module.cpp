@@ -21,6 +21,8 @@ PYBIND11_MODULE(_epcc, module) {
   bindContours(module);
   bindSegmentation(module);
   bindExtractor(module);
+  bindStreamGeometry(module);
+  bindScanLineStream(module);
   bindVectorUnit(module);
   module.attr("__name__") = name;
 }
