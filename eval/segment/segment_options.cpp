@@ -9,6 +9,7 @@
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
 #include "eval/segment/frame_arguments.h"
+#include "eval/segment/frame_surfaces.h"
 #include "eval/segment/parameter_page.h"
 
 namespace epcc {
@@ -25,11 +26,7 @@ constexpr const char* kFooter =
 
 /// Polygons and meshes may be left out of a build.
 std::string checkSurfaces(const std::string& /*text*/) {
-#ifdef EPCC_WITH_GEOS
-  return {};
-#else
-  return "this program was built without GEOS (EPCC_WITH_GEOS)";
-#endif
+  return surfacesMissing();
 }
 
 std::string checkMesh(const std::string& text) {

@@ -5,24 +5,23 @@
 #include "datasets/files/mesh_file.h"
 #include "datasets/files/polygon_list.h"
 #include "datasets/support/input_error.h"
-#include "epcc_segmentation/surface_mesh.h"
-#include "epcc_segmentation/surface_polygon.h"
 #include "eval/pictures/label_colors.h"
+#include "eval/segment/frame_surfaces.h"
 
 namespace epcc {
 
 void writeSurfaces(const OutputPaths& paths, const DepthFrame& frame, const PlaneSegmentation& result,
                    const SurfaceStyle& style) {
   if (paths.mesh.empty() && paths.polygons.empty()) return;
-  const SurfacePolygons polygons = surfacePolygons(frame, style.sensor, result);
+  const FrameSurfaces surfaces = frameSurfaces(frame, style.sensor, result, !paths.mesh.empty());
+  const SurfacePolygons& polygons = surfaces.polygons;
   if (polygons.status != Status::Ok)
     throw OutputError(paths.mesh.empty() ? paths.polygons : paths.mesh, "surfaces", polygons.problem);
   if (!paths.polygons.empty()) writePolygonList(paths.polygons, polygons);
   if (paths.mesh.empty()) return;
   std::vector<Rgb> colors;
   for (const SurfacePolygon& surface : polygons.surfaces) colors.push_back(labelColor(surface.label));
-  writeMesh(paths.mesh, surfaceMesh(polygons.surfaces), colors,
-            style.mesh_is_text ? MeshEncoding::Text : MeshEncoding::Binary);
+  writeMesh(paths.mesh, surfaces.mesh, colors, style.mesh_is_text ? MeshEncoding::Text : MeshEncoding::Binary);
 }
 
 }  // namespace epcc

@@ -77,7 +77,7 @@ int view(const ViewOptions& options, std::ostream& err) {
   const std::string no_display = displayProblem();
   if (!no_display.empty()) return reportProblem(kProgram, err, no_display, kExitInput);
 
-  ViewSession session(options.input, list.inputs);
+  ViewSession session(options.input, list.inputs, options.style);
   if (options.snapshot.empty()) skipUnusable(session);
   for (const std::string& key : options.keys) session.press(*commandOf(key));
   if (!session.problem().empty()) return reportProblem(kProgram, err, session.problem(), kExitInput);
@@ -85,6 +85,7 @@ int view(const ViewOptions& options, std::ostream& err) {
     runWindow(session, options);
   } else {
     writeSnapshot(session, options);
+    if (!session.notice().empty()) err << kProgram << ": " << session.input().path << ": " << session.notice() << '\n';
     if (!session.doubt().empty()) err << kProgram << ": " << session.input().path << ": " << session.doubt() << '\n';
   }
   return kExitDone;

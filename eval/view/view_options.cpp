@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <ostream>
+#include <sstream>
 
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
 #include "eval/segment/frame_arguments.h"
+#include "eval/segment/frame_surfaces.h"
 #include "eval/view/view_keys.h"
 
 namespace epcc {
@@ -38,6 +40,29 @@ std::string setSize(const std::string& text, ViewOptions& options) {
   return {};
 }
 
+/// "points,polygons,normals": these and nothing else.
+std::string setDrawn(const std::string& text, ViewOptions& options) {
+  ViewStyle& style = options.style;
+  bool polygons = false, contours = false;
+  style.points = style.mesh = style.normals = false;
+  std::istringstream stream(text + ',');
+  for (std::string word; std::getline(stream, word, ',');) {
+    bool* const drawn = word == "points"     ? &style.points
+                        : word == "mesh"     ? &style.mesh
+                        : word == "polygons" ? &polygons
+                        : word == "contours" ? &contours
+                        : word == "normals"  ? &style.normals
+                                             : nullptr;
+    if (drawn == nullptr) return "--draw: '" + word + "' is none of points, mesh, polygons, contours, normals";
+    *drawn = true;
+  }
+  if (polygons && contours) return "--draw: outlines are polygons or contours; give one of them";
+  if ((polygons || style.mesh) && !surfacesMissing().empty()) return "--draw: " + surfacesMissing();
+  style.outlines = polygons || contours;
+  if (style.outlines) style.outline_kind = polygons ? OutlineKind::Polygons : OutlineKind::Contours;
+  return {};
+}
+
 std::string setKeys(const std::string& text, ViewOptions& options) {
   std::string unknown;
   const auto keys = keysFrom(text, unknown);
@@ -54,12 +79,17 @@ std::optional<int> parseViewOptions(int argc, const char* const* argv, ViewOptio
   app.footer(presetLine("PRESET") + kFooter);
   app.set_version_flag("--version", versionText("epcc_view"));
   FrameArguments arguments;
-  std::string size = "1280x800", keys;
+  std::string size = "1280x800", drawn, keys;
   addFrameArguments(app, "Files and folders to show", options.input, arguments);
   app.add_option("--snapshot", options.snapshot, "Write a picture of the window, without opening it, and exit")
       ->type_name("OUT.png")
       ->check(checkPath)
       ->group("Window");
+  CLI::Option* const draw = app.add_option("--draw", drawn,
+                                           "What is drawn at the start (points,mesh,polygons,contours,normals), else "
+                                           "points, polygons and normals")
+                                ->type_name("A,B,...")
+                                ->group("Window");
   app.add_option("--keys", keys, "Keys that are pressed at the start: n,n,s,plus")
       ->type_name("KEY,...")
       ->group("Window");
@@ -67,6 +97,7 @@ std::optional<int> parseViewOptions(int argc, const char* const* argv, ViewOptio
   return parseCommandLine(app, argc, argv, out, err, [&] {
     std::string problem = setFrameOptions(arguments, options.input);
     if (problem.empty()) problem = setSize(size, options);
+    if (problem.empty() && draw->count() > 0) problem = setDrawn(drawn, options);
     if (problem.empty()) problem = setKeys(keys, options);
     require(problem.empty(), problem);
   });

@@ -8,15 +8,17 @@
 #include <vector>
 
 #include "eval/segment/segment_options.h"
+#include "eval/view/view_scene.h"
 
 namespace epcc {
 
 /// What epcc_view is asked to do.
 struct ViewOptions {
-  SegmentOptions input;           ///< its inputs, camera, reading and method
-  std::string snapshot;           ///< picture to write instead of opening a window; empty: none
-  std::vector<std::string> keys;  ///< pressed before anything is shown
-  int width = 1280;               ///< of window or picture, pixels
+  SegmentOptions input;            ///< its inputs, camera, reading and method
+  std::string snapshot;            ///< picture to write instead of opening a window; empty: none
+  ViewStyle style = firstStyle();  ///< what is drawn at the start
+  std::vector<std::string> keys;   ///< pressed before anything is shown
+  int width = 1280;                ///< of window or picture, pixels
   int height = 800;
 };
 

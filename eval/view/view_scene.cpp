@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pixels become points; the outlines of the labels are laid into their planes.
+// Pixels become points, surfaces triangles and outlines; contours of the labels are laid into their planes.
 #include "eval/view/view_scene.h"
 
 #include <algorithm>
@@ -64,23 +64,58 @@ Eigen::Vector3d onPlane(const Plane& plane, const Eigen::Vector3d& point, const 
   return point - plane.signedDistance(point) / cosine * ray;
 }
 
-/// The border's pixels in space. The plane, and not the noise of single pixels, says where; a little nearer to the
-/// sensor than that noise, so that points do not hide it.
-ViewOutline outlineOf(const DepthFrame& frame, const Plane& plane, const PixelContour& contour,
+/// A little nearer to the sensor than the noise of the points, so that they do not hide it; where there are none, in
+/// the plane itself.
+Eigen::Vector3f beforePoints(const Eigen::Vector3d& in_plane, const Plane& plane, const ViewStyle& style,
+                             const Eigen::Vector3d& sensor) {
+  if (!style.points) return in_plane.cast<float>();
+  const Eigen::Vector3d back = sensor - in_plane;
+  const double before = kBeforePoints + std::min(0.05, 2.0 * plane.rms / back.norm());
+  return (in_plane + before * back).cast<float>();
+}
+
+/// The border's pixels in space. The plane, and not the noise of single pixels, says where.
+ViewOutline outlineOf(const DepthFrame& frame, const Plane& plane, const PixelContour& contour, const ViewStyle& style,
                       const Eigen::Vector3d& sensor) {
   ViewOutline outline;
   Eigen::Vector3d point;
   for (const Eigen::Vector2i& pixel : contour.points) {
     if (!frame.point(pixel.y(), pixel.x(), point)) continue;
-    const Eigen::Vector3d in_plane = onPlane(plane, point, sensor);
-    const Eigen::Vector3d back = sensor - in_plane;
-    const double before = kBeforePoints + std::min(0.05, 2.0 * plane.rms / back.norm());
-    outline.points.push_back((in_plane + before * back).cast<float>());
+    outline.points.push_back(beforePoints(onPlane(plane, point, sensor), plane, style, sensor));
   }
   return outline;
 }
 
-std::vector<ViewOutline> outlinesOf(const DepthFrame& frame, const PlaneSegmentation& result, const ViewStyle& style,
+/// The rings of all pieces and of their holes.
+std::vector<ViewOutline> polygonsOf(const FrameSurfaces& surfaces, const PlaneSegmentation& result,
+                                    const ViewStyle& style, const Eigen::Vector3d& sensor) {
+  std::vector<ViewOutline> outlines;
+  for (const SurfacePolygon& surface : surfaces.polygons.surfaces) {
+    const Plane& plane = result.planes[static_cast<std::size_t>(surface.label - 1)];
+    const auto add = [&](const SurfaceRing& ring, bool is_hole) {
+      ViewOutline outline{{}, markColor(surface.label, style), style.selected == surface.label, is_hole};
+      for (const Vector3& point : ring.points) outline.points.push_back(beforePoints(point, plane, style, sensor));
+      outlines.push_back(std::move(outline));
+    };
+    for (const SurfacePiece& piece : surface.pieces) {
+      add(piece.outline, false);
+      for (const SurfaceRing& hole : piece.holes) add(hole, true);
+    }
+  }
+  return outlines;
+}
+
+std::vector<ViewTriangle> trianglesOf(const SurfaceMesh& mesh, const ViewStyle& style) {
+  std::vector<ViewTriangle> triangles(mesh.triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      triangles[i].corners[k] = mesh.vertices[static_cast<std::size_t>(mesh.triangles[i][k])].cast<float>();
+    triangles[i].color = pointColor(mesh.labels[i], style);
+  }
+  return triangles;
+}
+
+std::vector<ViewOutline> contoursOf(const DepthFrame& frame, const PlaneSegmentation& result, const ViewStyle& style,
                                     const Eigen::Vector3d& sensor) {
   std::vector<ViewOutline> outlines;
   const int count = static_cast<int>(result.planes.size());
@@ -89,7 +124,7 @@ std::vector<ViewOutline> outlinesOf(const DepthFrame& frame, const PlaneSegmenta
     for (const PixelContour& contour : contours[k]) {
       if (contour.points.size() < kShortestBorder) continue;
       const auto label = static_cast<std::int32_t>(k) + 1;
-      outlines.push_back(outlineOf(frame, result.planes[k], contour, sensor));
+      outlines.push_back(outlineOf(frame, result.planes[k], contour, style, sensor));
       outlines.back().color = markColor(label, style);
       outlines.back().is_selected = style.selected == label;
     }
@@ -111,11 +146,23 @@ std::vector<ViewArrow> arrowsOf(const PlaneSegmentation& result, const ViewStyle
 
 }  // namespace
 
-ViewScene viewScene(const DepthFrame& frame, const PlaneSegmentation& result, const ViewStyle& style) {
+ViewStyle firstStyle() {
+  ViewStyle style;
+  if (!surfacesMissing().empty()) style.outline_kind = OutlineKind::Contours;
+  return style;
+}
+
+ViewScene viewScene(const DepthFrame& frame, const PlaneSegmentation& result, const FrameSurfaces& surfaces,
+                    const ViewStyle& style) {
   ViewScene scene;
   scene.sensor = sensorOf(frame);
   scene.points = pointsOf(frame, result, style);
-  if (style.outlines) scene.outlines = outlinesOf(frame, result, style, scene.sensor.origin);
+  scene.draws_points = style.points;
+  if (style.mesh) scene.triangles = trianglesOf(surfaces.mesh, style);
+  if (style.outlines)
+    scene.outlines = style.outline_kind == OutlineKind::Polygons
+                         ? polygonsOf(surfaces, result, style, scene.sensor.origin)
+                         : contoursOf(frame, result, style, scene.sensor.origin);
   if (style.normals) scene.arrows = arrowsOf(result, style);
   return scene;
 }

@@ -31,18 +31,29 @@ std::vector<std::string> sensorChoices(const std::string& given) {
 
 }  // namespace
 
-ViewSession::ViewSession(const SegmentOptions& options, std::vector<SegmentInput> inputs)
+ViewSession::ViewSession(const SegmentOptions& options, std::vector<SegmentInput> inputs, const ViewStyle& style)
     : options_(options),
       inputs_(std::move(inputs)),
       sensors_(sensorChoices(options.noise)),
-      parameters_(options.parameters) {
+      parameters_(options.parameters),
+      style_(style) {
   useMode(parameters_.mode);
   attempt(&ViewSession::load);
+  findSurfaces();
   const ViewScene first = scene();
   place_ = firstPlace(first);
 }
 
 ViewChange ViewSession::press(ViewCommand command) {
+  const bool had_notice = !notice_.empty();
+  notice_.clear();
+  ViewChange change = obey(command);
+  findSurfaces();
+  change.redraw |= had_notice || !notice_.empty();
+  return change;
+}
+
+ViewChange ViewSession::obey(ViewCommand command) {
   const auto toggled = [](bool& value) {
     value = !value;
     return kRedraw;
@@ -89,8 +100,12 @@ ViewChange ViewSession::press(ViewCommand command) {
       return choosePlane(-1);
     case ViewCommand::SelectNone:
       return select(0);
+    case ViewCommand::NextSurface:
+      return nextSurface();
     case ViewCommand::SwitchOutlines:
       return toggled(style_.outlines);
+    case ViewCommand::SwitchOutlineKind:
+      return switchOutlineKind();
     case ViewCommand::SwitchNormals:
       return toggled(style_.normals);
     case ViewCommand::SwitchUnlabelled:
@@ -120,8 +135,8 @@ ViewChange ViewSession::select(std::int32_t label) {
 }
 
 ViewScene ViewSession::scene() const {
-  if (!frame_ || !problem_.empty()) return {{}, {}, {}, {{0, 0, 0}, {0, 0, 1}, {0, -1, 0}, false}};
-  return viewScene(frameView(*frame_), result_, style_);
+  if (!frame_ || !problem_.empty()) return {{}, true, {}, {}, {}, {{0, 0, 0}, {0, 0, 1}, {0, -1, 0}, false}};
+  return viewScene(frameView(*frame_), result_, surfaces_, style_);
 }
 
 /// The view stays where it is from frame to frame of one sensor.
@@ -169,6 +184,30 @@ ViewChange ViewSession::resegmented() {
   return kRedraw;
 }
 
+/// The points, the mesh, both, the points again.
+ViewChange ViewSession::nextSurface() {
+  const bool is_mesh = style_.mesh && !style_.points;
+  const bool is_points = style_.points && !style_.mesh;
+  if (is_points && surfacesAreMissing()) return kRedraw;
+  style_.points = !is_points;
+  style_.mesh = is_points || is_mesh;
+  return kRedraw;
+}
+
+ViewChange ViewSession::switchOutlineKind() {
+  if (surfacesAreMissing()) return kRedraw;
+  const bool are_polygons = style_.outline_kind == OutlineKind::Polygons;
+  style_.outline_kind = are_polygons ? OutlineKind::Contours : OutlineKind::Polygons;
+  style_.outlines = true;
+  return kRedraw;
+}
+
+bool ViewSession::surfacesAreMissing() {
+  notice_ = surfacesMissing();
+  if (!notice_.empty()) notice_ = "no polygons, no mesh: " + notice_;
+  return !notice_.empty();
+}
+
 void ViewSession::useMode(Mode mode) {
   parameters_.mode = mode;
   const std::string chosen = fields_.empty() ? "line_k_max" : fields_[field_]->name;
@@ -186,6 +225,8 @@ void ViewSession::useMode(Mode mode) {
 void ViewSession::attempt(void (ViewSession::*step)()) {
   problem_.clear();
   result_ = PlaneSegmentation();
+  surfaces_ = FrameSurfaces();
+  has_surfaces_ = false;
   summaries_.clear();
   try {
     (this->*step)();
@@ -207,6 +248,14 @@ void ViewSession::segment() {
   findPlanes(input(), *frame_, sensor, parameters_, extractor_, result_);
   seconds_ = extractor_.times().total();
   summaries_ = summarizePlanes(frameView(*frame_), result_);
+}
+
+/// Once for each result, and not before they are to be drawn.
+void ViewSession::findSurfaces() {
+  if (!frame_ || !problem_.empty() || !style_.needsSurfaces()) return;
+  if (!has_surfaces_) surfaces_ = frameSurfaces(frameView(*frame_), extractor_.sensor(), result_, true);
+  has_surfaces_ = true;
+  if (!surfaces_.polygons.problem.empty()) notice_ = "no polygons, no mesh: " + surfaces_.polygons.problem;
 }
 
 }  // namespace epcc

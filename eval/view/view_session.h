@@ -29,7 +29,7 @@ struct ViewChange {
 class ViewSession {
  public:
   /// `inputs` are those of listInputs(), at least one. Reads and segments the first.
-  ViewSession(const SegmentOptions& options, std::vector<SegmentInput> inputs);
+  ViewSession(const SegmentOptions& options, std::vector<SegmentInput> inputs, const ViewStyle& style = firstStyle());
 
   /// Does what a key asks for: reads and segments what that needs. Nothing is thrown but std::bad_alloc.
   ViewChange press(ViewCommand command);
@@ -50,6 +50,10 @@ class ViewSession {
   const std::string& problem() const { return problem_; }
   /// What makes the planes doubtful, in one line; empty if nothing does.
   std::string doubt() const { return result_.doubts.any() ? result_.doubts.inWords() : std::string(); }
+  /// Why there are no polygons or no mesh, though they were asked for, in one line; empty if nothing is amiss.
+  const std::string& notice() const { return notice_; }
+  /// Polygons and mesh of the planes; empty unless they are drawn.
+  const FrameSurfaces& surfaces() const { return surfaces_; }
   const PlaneSegmentation& result() const { return result_; }
   const std::vector<PlaneSummary>& summaries() const { return summaries_; }
   const ViewStyle& style() const { return style_; }
@@ -68,6 +72,11 @@ class ViewSession {
   ViewChange changeField(int direction);
   ViewChange choosePlane(int by);
   ViewChange resegmented();
+  ViewChange nextSurface();
+  ViewChange switchOutlineKind();
+  bool surfacesAreMissing();
+  ViewChange obey(ViewCommand command);
+  void findSurfaces();
   void load();
   void segment();
   void attempt(void (ViewSession::*step)());
@@ -91,7 +100,10 @@ class ViewSession {
   PlaneExtractor extractor_;
   PlaneSegmentation result_;
   std::vector<PlaneSummary> summaries_;
+  FrameSurfaces surfaces_;
+  bool has_surfaces_ = false;  // of this result
   std::string problem_;
+  std::string notice_;
   std::string sensor_name_;
   double seconds_ = 0.0;
 };

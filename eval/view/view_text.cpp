@@ -85,6 +85,18 @@ std::string coefficientLines(const Plane& plane) {
   return lines;
 }
 
+/// The selected surface, where polygons are drawn.
+std::string polygonLine(const ViewSession& session, std::size_t index) {
+  const std::vector<SurfacePolygon>& surfaces = session.surfaces().polygons.surfaces;
+  if (index >= surfaces.size()) return {};
+  const SurfacePolygon& surface = surfaces[index];
+  std::size_t holes = 0;
+  for (const SurfacePiece& piece : surface.pieces) holes += piece.holes.size();
+  return formatted("\npolygon of %.3f m2, %zu %s, %zu %s, within %.3f x %.3f m", surface.area, surface.pieces.size(),
+                   surface.pieces.size() == 1 ? "piece" : "pieces", holes, holes == 1 ? "hole" : "holes",
+                   surface.extent.length, surface.extent.width);
+}
+
 std::string planeLines(const ViewSession& session) {
   const auto index = static_cast<std::size_t>(session.style().selected - 1);
   const Plane& plane = session.result().planes[index];
@@ -95,7 +107,8 @@ std::string planeLines(const ViewSession& session) {
          formatted("%zu pixels, %.3f m2, rms %.1f mm, confidence %.2f\n", summary.pixels, summary.area,
                    1e3 * summary.rms, summary.confidence) +
          formatted("%.3f m from the sensor, centroid %.3f m, tilt %.1f deg", summary.distance,
-                   summary.centroid_distance, summary.tilt);
+                   summary.centroid_distance, summary.tilt) +
+         polygonLine(session, index);
 }
 
 }  // namespace
@@ -109,6 +122,7 @@ ViewTexts viewTexts(const ViewSession& session) {
     texts.top = inputLine(session) + '\n' + summary(session) + '\n' + "sensor " +
                 printable(session.sensorName(), kLineBytes) + ", mode " + (is_paper ? "paper" : "inverse-depth") +
                 parameterLines(session);
+    if (!session.notice().empty()) texts.top += "\n" + wrapped(session.notice());
     if (!session.doubt().empty()) texts.top += "\n" + wrapped("doubtful: " + session.doubt());
   }
   texts.bottom = session.style().selected > 0

@@ -1,38 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes become VTK's data; the visualizer's own keys give way to those of epcc_view.
+// Scenes become actors of VTK; the visualizer's own keys give way to those of epcc_view.
 #include "eval/view/view_window.h"
 
 #include <pcl/point_types.h>
 #include <pcl/visualization/interactor_style.h>
 #include <pcl/visualization/pcl_visualizer.h>
+#include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
-#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
+
+#include "eval/view/view_shapes.h"
 
 namespace epcc {
 namespace {
 
 constexpr int kFontSize = 14;
-constexpr int kMargin = 10;            // of texts, pixels
-constexpr int kClickPixels = 3;        // a mouse that moves further turns the scene
-constexpr int kSides = 12;             // of an arrow
-constexpr float kHeadLength = 0.3F;    // of an arrow
-constexpr float kHeadRadius = 0.1F;    // of its length
-constexpr float kShaftRadius = 0.03F;  // of its length
+constexpr int kMargin = 10;      // of texts, pixels
+constexpr int kClickPixels = 3;  // a mouse that moves further turns the scene
 
 /// The mouse turns, moves and zooms as in every PCL window; keys and clicks are the program's.
 class ViewStyleOfMouse : public pcl::visualization::PCLVisualizerInteractorStyle {
@@ -66,74 +62,6 @@ class ViewStyleOfMouse : public pcl::visualization::PCLVisualizerInteractorStyle
 };
 vtkStandardNewMacro(ViewStyleOfMouse);
 
-/// Cells and their colours, filled one by one.
-class ColoredCells {
- public:
-  ColoredCells() { colors_->SetNumberOfComponents(3); }
-  vtkIdType point(const Eigen::Vector3f& position) {
-    return points_->InsertNextPoint(position.x(), position.y(), position.z());
-  }
-  void cell(const std::vector<vtkIdType>& corners, const Rgb& color) {
-    cells_->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
-    const unsigned char channels[3] = {color.r, color.g, color.b};
-    colors_->InsertNextTypedTuple(channels);
-  }
-  vtkSmartPointer<vtkPolyData> asLines() { return data(&vtkPolyData::SetLines); }
-  vtkSmartPointer<vtkPolyData> asSurfaces() { return data(&vtkPolyData::SetPolys); }
-
- private:
-  vtkSmartPointer<vtkPolyData> data(void (vtkPolyData::*set)(vtkCellArray*)) {
-    const auto result = vtkSmartPointer<vtkPolyData>::New();
-    result->SetPoints(points_);
-    (result->*set)(cells_);
-    result->GetCellData()->SetScalars(colors_);
-    return result;
-  }
-  vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
-  vtkSmartPointer<vtkCellArray> cells_ = vtkSmartPointer<vtkCellArray>::New();
-  vtkSmartPointer<vtkUnsignedCharArray> colors_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
-};
-
-/// A round surface about the arrow's axis, from one radius to another.
-void addCone(const ViewArrow& arrow, float from, float to, float radius_from, float radius_to, ColoredCells& cells) {
-  const Eigen::Vector3f axis = arrow.to - arrow.from;
-  const Eigen::Vector3f across = axis.unitOrthogonal() * axis.norm();
-  const Eigen::Vector3f other = axis.normalized().cross(across);
-  std::vector<vtkIdType> near, far;
-  for (int i = 0; i < kSides; ++i) {
-    const float angle = 2.0F * static_cast<float>(M_PI) * static_cast<float>(i) / kSides;
-    const Eigen::Vector3f ray = std::cos(angle) * across + std::sin(angle) * other;
-    near.push_back(cells.point(arrow.from + from * axis + radius_from * ray));
-    far.push_back(cells.point(arrow.from + to * axis + radius_to * ray));
-  }
-  for (std::size_t i = 0; i < kSides; ++i) {
-    const std::size_t next = (i + 1) % kSides;
-    cells.cell({near[i], near[next], far[next], far[i]}, arrow.color);
-  }
-  cells.cell(near, arrow.color);
-}
-
-vtkSmartPointer<vtkPolyData> arrowSurfaces(const std::vector<ViewArrow>& arrows) {
-  ColoredCells cells;
-  for (const ViewArrow& arrow : arrows) {
-    addCone(arrow, 0.0F, 1.0F - kHeadLength, kShaftRadius, kShaftRadius, cells);
-    addCone(arrow, 1.0F - kHeadLength, 1.0F, kHeadRadius, 0.0F, cells);
-  }
-  return cells.asSurfaces();
-}
-
-vtkSmartPointer<vtkPolyData> outlineLines(const std::vector<ViewOutline>& outlines, bool selected) {
-  ColoredCells cells;
-  for (const ViewOutline& outline : outlines) {
-    if (outline.is_selected != selected || outline.points.empty()) continue;
-    std::vector<vtkIdType> corners;
-    for (const Eigen::Vector3f& point : outline.points) corners.push_back(cells.point(point));
-    corners.push_back(corners.front());
-    cells.cell(corners, outline.color);
-  }
-  return cells.asLines();
-}
-
 pcl::PointCloud<pcl::PointXYZRGB>::Ptr coloredCloud(const std::vector<ViewPoint>& points) {
   pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZRGB>);
   for (const ViewPoint& point : points)
@@ -156,6 +84,20 @@ struct ViewWindow::Parts {
     visualizer->addModelFromPolyData(data, name);
     visualizer->setShapeRenderingProperties(pcl::visualization::PCL_VISUALIZER_LINE_WIDTH, line_width, name);
   }
+  /// Triangles in exactly their colours: no light falls on them. They are drawn as if they lay a little deeper, so that
+  /// lines in the same plane are not lost in them.
+  void addMesh(const std::vector<ViewTriangle>& triangles) {
+    if (triangles.empty()) return;
+    const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(meshSurfaces(triangles));
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(8.0, 8.0);
+    mesh = vtkSmartPointer<vtkActor>::New();
+    mesh->SetMapper(mapper);
+    mesh->GetProperty()->LightingOff();
+    renderer()->AddActor(mesh);
+    addShape("sides of triangles", meshLines(triangles), 1.0);
+  }
   void addText(const std::string& text, bool at_top) {
     if (text.empty()) return;
     const auto actor = vtkSmartPointer<vtkTextActor>::New();
@@ -176,8 +118,11 @@ struct ViewWindow::Parts {
     visualizer->removeAllShapes();
     for (const auto& text : texts) renderer()->RemoveActor2D(text);
     texts.clear();
+    if (mesh != nullptr) renderer()->RemoveActor(mesh);
+    mesh = nullptr;
   }
   std::vector<vtkSmartPointer<vtkTextActor>> texts;
+  vtkSmartPointer<vtkActor> mesh;
 };
 
 ViewWindow::ViewWindow(int width, int height, Kind kind) : parts_(std::make_unique<Parts>()) {
@@ -198,13 +143,17 @@ ViewWindow::~ViewWindow() = default;
 
 void ViewWindow::show(const ViewScene& scene, double point_size, const ViewTexts& texts) {
   parts_->removeAll();
-  if (!scene.points.empty()) {
+  if (scene.draws_points && !scene.points.empty()) {
     parts_->visualizer->addPointCloud<pcl::PointXYZRGB>(coloredCloud(scene.points), "points");
     parts_->visualizer->setPointCloudRenderingProperties(pcl::visualization::PCL_VISUALIZER_POINT_SIZE, point_size,
                                                          "points");
   }
-  parts_->addShape("outlines", outlineLines(scene.outlines, false), 2.0);
-  parts_->addShape("selected outlines", outlineLines(scene.outlines, true), 4.0);
+  parts_->addMesh(scene.triangles);
+  // Polygons have many small holes: thick lines would fill them.
+  parts_->addShape("outlines", outlineLines(scene.outlines, false, false), 2.0);
+  parts_->addShape("selected outlines", outlineLines(scene.outlines, true, false), 4.0);
+  parts_->addShape("holes", outlineLines(scene.outlines, false, true), 1.0);
+  parts_->addShape("selected holes", outlineLines(scene.outlines, true, true), 2.0);
   parts_->addShape("normals", arrowSurfaces(scene.arrows), 1.0);
   parts_->addText(texts.top, true);
   parts_->addText(texts.bottom, false);

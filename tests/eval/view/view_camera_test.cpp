@@ -18,7 +18,7 @@ ViewScene roomScene() {
   PlaneSegmentation result;
   PlaneExtractor extractor(Parameters(), SensorModel::axial(0.0005, 0.0005));
   EXPECT_TRUE(extractor.extract(frameView(frame), result));
-  return viewScene(frameView(frame), result, ViewStyle());
+  return viewScene(frameView(frame), result, {}, ViewStyle());
 }
 
 double shareInPicture(const ViewScene& scene, const ViewCamera& camera) {

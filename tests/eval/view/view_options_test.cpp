@@ -83,11 +83,39 @@ TEST(ViewOptions, InputSensorAndMethodAsInEpccSegment) {
   EXPECT_EQ(input.reading.max_depth, 5.0);
 }
 
+TEST(ViewOptions, WhatIsDrawnAtTheStart) {
+  const ViewStyle plain = read({"a.pcd"}).options.style;
+  EXPECT_TRUE(plain.points && plain.outlines && plain.normals && !plain.mesh);
+  const ViewStyle contours = read({"a.pcd", "--draw", "contours"}).options.style;
+  EXPECT_TRUE(contours.outlines && contours.outline_kind == OutlineKind::Contours);
+  EXPECT_FALSE(contours.points || contours.mesh || contours.normals);
+  const ViewStyle bare = read({"a.pcd", "--draw", "points,normals"}).options.style;
+  EXPECT_TRUE(bare.points && bare.normals && !bare.outlines && !bare.mesh);
+  expectUsage({"a.pcd", "--draw", "points,lines"}, "--draw: 'lines' is none of points, mesh, polygons");
+  for (const char* empty : {",", "points,"})
+    expectUsage({"a.pcd", std::string("--draw=") + empty}, "'' is none of");
+  expectUsage({"a.pcd", "--draw", "polygons,contours"}, "--draw: outlines are polygons or contours");
+}
+
+TEST(ViewOptions, MeshAndPolygonsNeedTheirLibrary) {
+  for (const char* word : {"mesh", "polygons"}) {
+    if (!surfacesMissing().empty()) {
+      expectUsage({"a.pcd", "--draw", word}, "--draw: this program was built without GEOS");
+      continue;
+    }
+    const ViewStyle style = read({"a.pcd", "--draw", word}).options.style;
+    EXPECT_EQ(style.mesh, std::string(word) == "mesh");
+    EXPECT_EQ(style.outlines, std::string(word) == "polygons");
+    EXPECT_TRUE(style.needsSurfaces());
+    EXPECT_FALSE(style.points || style.normals);
+  }
+}
+
 TEST(ViewOptions, HelpAndVersion) {
   const Reading help = read({"--help"});
   EXPECT_EQ(help.result.exit_code, 0);
-  for (const char* word : {"--snapshot", "--keys", "--size", "--camera", "--noise", "--mode", "--set", "--projection",
-                           "xvfb-run", "Exit codes"})
+  for (const char* word : {"--snapshot", "--draw", "--keys", "--size", "--camera", "--noise", "--mode", "--set",
+                           "--projection", "xvfb-run", "Exit codes"})
     EXPECT_NE(help.result.out.find(word), std::string::npos) << word;
   EXPECT_EQ(help.result.out.find("--labels"), std::string::npos);
   EXPECT_EQ(read({"--version"}).result.out.rfind("epcc_view ", 0), 0U);

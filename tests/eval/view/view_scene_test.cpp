@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is shown of a room's corner: points and their colours, outlines in the planes, normals that face the sensor.
+// What is shown of a room's corner: points and their colours, outlines and mesh in the planes, normals that face the
+// sensor.
 #include "eval/view/view_scene.h"
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <set>
 
 #include "epcc_segmentation/plane_extractor.h"
@@ -21,17 +23,45 @@ class ViewSceneTest : public ::testing::Test {
  protected:
   ViewSceneTest() : frame_(test::tinyFrame("room", 1)) {
     for (int column = 0; column < 5; ++column) frame_.depth.at(20, 30 + column) = 0.0F;  // not measured
-    PlaneExtractor extractor(Parameters(), SensorModel::axial(0.0005, 0.0005));
+    PlaneExtractor extractor(Parameters(), sensor_);
     EXPECT_TRUE(extractor.extract(frameView(frame_), result_)) << extractor.error();
     EXPECT_EQ(result_.planes.size(), 3U);
     for (int row = 0; row < 4; ++row)  // on no plane
       for (int column = 0; column < 4; ++column) result_.labels[static_cast<std::size_t>(80 * row + column)] = 0;
   }
-  ViewScene scene(const ViewStyle& style = {}) const { return viewScene(frameView(frame_), result_, style); }
+  ViewScene scene(const ViewStyle& style = firstStyle()) const {
+    FrameSurfaces surfaces;
+    if (style.needsSurfaces()) surfaces = frameSurfaces(frameView(frame_), sensor_, result_, true);
+    return viewScene(frameView(frame_), result_, surfaces, style);
+  }
+  static ViewStyle contours() {
+    ViewStyle style;
+    style.outline_kind = OutlineKind::Contours;
+    return style;
+  }
+  /// Leaves a rectangle in the middle of the largest plane unmeasured.
+  void cutAHole() {
+    for (int row = 0; row < 60; ++row)
+      for (int column = 0; column < 80; ++column) {
+        if (std::abs(row - hole_.y()) > 5 || std::abs(column - hole_.x()) > 6) continue;
+        frame_.depth.at(row, column) = 0.0F;
+        result_.labels[static_cast<std::size_t>(80 * row + column)] = 0;
+      }
+  }
+  /// The pixel (column, row) of a point.
+  Eigen::Vector2d pixelOf(const Eigen::Vector3f& point) const {
+    const PinholeCamera& camera = frame_.camera.camera;
+    return {point.x() / point.z() * camera.fx + camera.cx, point.y() / point.z() * camera.fy + camera.cy};
+  }
 
+  SensorModel sensor_ = SensorModel::axial(0.0005, 0.0005);
   LabelledFrame frame_;
   PlaneSegmentation result_;
+  Eigen::Vector2i hole_{22, 34};  // column and row, on the back wall
 };
+
+#define EPCC_NEED_SURFACES() \
+  if (!surfacesMissing().empty()) GTEST_SKIP() << surfacesMissing()
 
 TEST_F(ViewSceneTest, EveryMeasuredPixelIsAPointInThePlanesColour) {
   const ViewScene all = scene();
@@ -57,8 +87,8 @@ TEST_F(ViewSceneTest, PointsOnNoPlaneCanBeHidden) {
   for (const ViewPoint& point : shown.points) EXPECT_GT(point.label, 0);
 }
 
-TEST_F(ViewSceneTest, OutlinesLieInThePlanesBeforeThePoints) {
-  const ViewScene shown = scene();
+TEST_F(ViewSceneTest, ContoursLieInThePlanesBeforeThePoints) {
+  const ViewScene shown = scene(contours());
   ASSERT_GE(shown.outlines.size(), 3U);
   for (const ViewOutline& outline : shown.outlines) {
     EXPECT_GE(outline.points.size(), 12U);
@@ -77,17 +107,88 @@ TEST_F(ViewSceneTest, OutlinesLieInThePlanesBeforeThePoints) {
   EXPECT_TRUE(scene(style).outlines.empty());
 }
 
-TEST_F(ViewSceneTest, SeenFromTheSensorOutlinesStayAtTheirPixels) {
-  const PinholeCamera& camera = frame_.camera.camera;
+TEST_F(ViewSceneTest, SeenFromTheSensorContoursStayAtTheirPixels) {
   std::size_t borders = 0, near = 0;
-  for (const ViewOutline& outline : scene().outlines)
+  for (const ViewOutline& outline : scene(contours()).outlines)
     for (const Eigen::Vector3f& point : outline.points) {
-      const float column = point.x() / point.z() * static_cast<float>(camera.fx) + static_cast<float>(camera.cx);
-      const float row = point.y() / point.z() * static_cast<float>(camera.fy) + static_cast<float>(camera.cy);
+      const Eigen::Vector2d pixel = pixelOf(point);
       ++borders;
-      if (std::abs(column - std::round(column)) < 0.01F && std::abs(row - std::round(row)) < 0.01F) ++near;
+      if ((pixel - Eigen::Vector2d(std::round(pixel.x()), std::round(pixel.y()))).norm() < 0.01) ++near;
     }
   EXPECT_GT(near, borders * 9 / 10);
+}
+
+TEST_F(ViewSceneTest, PolygonsAreDrawnWithTheirHoles) {
+  EPCC_NEED_SURFACES();
+  const std::size_t without = scene().outlines.size();
+  cutAHole();
+  ViewStyle style = firstStyle();
+  style.points = false;
+  const ViewScene shown = scene(style);
+  EXPECT_FALSE(shown.draws_points);
+  ASSERT_EQ(shown.outlines.size(), without + 1);
+  std::size_t holes = 0;
+  for (const ViewOutline& outline : shown.outlines) {
+    double best = 1e9, away = 0.0;
+    for (const Plane& plane : result_.planes) {
+      double farthest = 0.0;
+      for (const Eigen::Vector3f& point : outline.points)
+        farthest = std::max(farthest, std::abs(plane.signedDistance(point.cast<double>())));
+      best = std::min(best, farthest);
+    }
+    EXPECT_LT(best, 1e-5) << "without points before them they lie in the plane itself";
+    for (const Eigen::Vector3f& point : outline.points)
+      away = std::max(away, (pixelOf(point) - hole_.cast<double>()).cwiseAbs().maxCoeff());
+    if (away < 8.0) ++holes;
+  }
+  EXPECT_EQ(holes, 1U);
+}
+
+TEST_F(ViewSceneTest, OutlinesOfPolygonsAreBeforeThePointsOnly) {
+  EPCC_NEED_SURFACES();
+  ViewStyle style = firstStyle();
+  const ViewScene before = scene(style);
+  style.points = false;
+  const ViewScene in_plane = scene(style);
+  ASSERT_EQ(before.outlines.size(), in_plane.outlines.size());
+  for (std::size_t i = 0; i < before.outlines.size(); ++i)
+    for (std::size_t k = 0; k < before.outlines[i].points.size(); ++k) {
+      const Eigen::Vector3f &near = before.outlines[i].points[k], &on = in_plane.outlines[i].points[k];
+      EXPECT_LT(near.norm(), 0.999F * on.norm());
+      EXPECT_LT((near.normalized() - on.normalized()).norm(), 1e-5F) << "along the ray";
+    }
+}
+
+TEST_F(ViewSceneTest, TheMeshCoversThePlanesInTheirColoursButNotTheHole) {
+  EPCC_NEED_SURFACES();
+  cutAHole();
+  ViewStyle style = firstStyle();
+  EXPECT_TRUE(scene(style).triangles.empty());
+  style.mesh = true;
+  const ViewScene shown = scene(style);
+  const SurfacePolygons polygons = frameSurfaces(frameView(frame_), sensor_, result_, false).polygons;
+  std::vector<double> area(polygons.surfaces.size(), 0.0);
+  for (const ViewTriangle& triangle : shown.triangles) {
+    std::size_t on = 0;
+    for (std::size_t k = 0; k < area.size(); ++k)
+      if (labelColor(static_cast<std::int32_t>(k) + 1) == triangle.color) on = k;
+    const Eigen::Vector3f a = triangle.corners[1] - triangle.corners[0], b = triangle.corners[2] - triangle.corners[0];
+    area[on] += 0.5 * static_cast<double>(a.cross(b).norm());
+    for (const Eigen::Vector3f& corner : triangle.corners)
+      EXPECT_LT(std::abs(result_.planes[on].signedDistance(corner.cast<double>())), 1e-5);
+    const Eigen::Vector3f middle = (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0F;
+    EXPECT_GT((pixelOf(middle) - hole_.cast<double>()).cwiseAbs().maxCoeff(), 4.0) << "in the hole";
+  }
+  for (std::size_t k = 0; k < area.size(); ++k)
+    EXPECT_NEAR(area[k], polygons.surfaces[k].area, 1e-4 * polygons.surfaces[k].area) << k;
+  style.selected = 2;
+  for (const ViewTriangle& triangle : scene(style).triangles)
+    for (const std::int32_t dimmed : {1, 3}) EXPECT_FALSE(triangle.color == labelColor(dimmed));
+}
+
+TEST_F(ViewSceneTest, WithoutSurfacesOutlinesAreContoursFromTheStart) {
+  EXPECT_EQ(firstStyle().outline_kind == OutlineKind::Polygons, surfacesMissing().empty());
+  EXPECT_FALSE(contours().needsSurfaces());
 }
 
 TEST_F(ViewSceneTest, ArrowsAreNormalsThatFaceTheSensor) {
@@ -144,7 +245,7 @@ TEST(ViewSceneOfAScan, TheSensorLooksAlongXWithZUp) {
   nothing.height = 16;
   nothing.labels.assign(90 * 16, 0);
   const ViewScene scene =
-      viewScene(DepthFrame::fromPoints(xyz.data(), 3, 90, 16, Projection::Spherical), nothing, ViewStyle());
+      viewScene(DepthFrame::fromPoints(xyz.data(), 3, 90, 16, Projection::Spherical), nothing, {}, ViewStyle());
   EXPECT_TRUE(scene.sensor.is_scanner);
   EXPECT_NEAR(scene.sensor.forward.x(), 1.0, 1e-9);
   EXPECT_NEAR(scene.sensor.up.z(), 1.0, 1e-9);

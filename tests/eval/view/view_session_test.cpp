@@ -14,6 +14,9 @@ namespace {
 
 using C = ViewCommand;
 
+#define EPCC_NEED_SURFACES() \
+  if (!surfacesMissing().empty()) GTEST_SKIP() << surfacesMissing()
+
 class ViewSessionTest : public ::testing::Test {
  protected:
   static ViewSession session(const SegmentOptions& options = {}) { return {options, test::roomInputs()}; }
@@ -165,6 +168,78 @@ TEST_F(ViewSessionTest, WhatIsShownIsSwitched) {
   shown.press(C::SwitchHelp);
   shown.press(C::SwitchTexts);
   EXPECT_EQ(viewTexts(shown).top + viewTexts(shown).bottom, "");
+}
+
+TEST_F(ViewSessionTest, PointsMeshAndBothFollowEachOther) {
+  EPCC_NEED_SURFACES();
+  ViewSession shown = session();
+  const auto drawn = [&] { return std::pair(shown.scene().draws_points, !shown.scene().triangles.empty()); };
+  EXPECT_EQ(drawn(), std::pair(true, false));
+  shown.press(C::NextSurface);
+  EXPECT_EQ(drawn(), std::pair(false, true));
+  EXPECT_EQ(shown.scene().points.size(), 80U * 60U) << "to select a plane by, and to count";
+  shown.press(C::NextSurface);
+  EXPECT_EQ(drawn(), std::pair(true, true));
+  shown.press(C::NextSurface);
+  EXPECT_EQ(drawn(), std::pair(true, false));
+  ViewStyle style;
+  style.points = false;
+  ViewSession outlines({}, test::roomInputs(), style);
+  EXPECT_FALSE(outlines.scene().draws_points);
+  outlines.press(C::NextSurface);
+  EXPECT_TRUE(outlines.scene().draws_points);
+}
+
+TEST_F(ViewSessionTest, SurfacesAreThoseOfTheResultAndFoundWhereTheyAreDrawn) {
+  EPCC_NEED_SURFACES();
+  ViewStyle style;
+  style.outline_kind = OutlineKind::Contours;
+  ViewSession shown({}, test::roomInputs(), style);
+  EXPECT_TRUE(shown.surfaces().polygons.surfaces.empty());
+  const std::size_t contour_points = shown.scene().outlines.at(0).points.size();
+  shown.press(C::SwitchOutlineKind);
+  EXPECT_EQ(shown.surfaces().polygons.surfaces.size(), 3U);
+  EXPECT_LT(shown.scene().outlines.at(0).points.size(), contour_points / 2) << "a line where the pixels have steps";
+  const double area = shown.surfaces().polygons.surfaces[0].area;
+  shown.press(C::NextInput);
+  EXPECT_EQ(shown.surfaces().polygons.surfaces.size(), 3U);
+  EXPECT_NE(shown.surfaces().polygons.surfaces[0].area, area);
+  shown.press(C::NextSurface);
+  while (std::string(shown.fields()[shown.field()]->name) != "inverse_depth.min_points")
+    shown.press(C::PreviousParameter);
+  press(shown, C::RaiseParameter, 70);  // more than the room has pixels
+  EXPECT_TRUE(shown.surfaces().polygons.surfaces.empty());
+  EXPECT_TRUE(shown.scene().triangles.empty());
+  EXPECT_EQ(shown.notice(), "");
+  shown.press(C::SwitchOutlineKind);
+  shown.press(C::SwitchOutlines);
+  shown.press(C::SwitchOutlineKind);
+  EXPECT_TRUE(shown.style().outlines) << "who asks for polygons wants to see them";
+}
+
+TEST_F(ViewSessionTest, ASelectedPlanesPolygonIsDescribed) {
+  EPCC_NEED_SURFACES();
+  ViewSession shown = session();
+  shown.press(C::NextPlane);
+  char line[80];
+  std::snprintf(line, sizeof line, "polygon of %.3f m2, 1 piece, 0 holes", shown.surfaces().polygons.surfaces[0].area);
+  EXPECT_TRUE(has(viewTexts(shown).bottom, line)) << viewTexts(shown).bottom << '\n' << line;
+}
+
+TEST_F(ViewSessionTest, ABuildWithoutSurfacesSaysSoInTheWindow) {
+  if (surfacesMissing().empty()) GTEST_SKIP() << "this build has them";
+  ViewSession shown = session();
+  EXPECT_EQ(shown.notice(), "");
+  EXPECT_FALSE(shown.scene().outlines.empty()) << "contours";
+  for (const C key : {C::NextSurface, C::SwitchOutlineKind}) {
+    EXPECT_TRUE(shown.press(key).redraw);
+    EXPECT_EQ(shown.notice(), "no polygons, no mesh: " + surfacesMissing());
+    EXPECT_TRUE(has(viewTexts(shown).top, shown.notice()));
+    EXPECT_TRUE(shown.scene().draws_points);
+    EXPECT_FALSE(shown.scene().outlines.empty());
+    EXPECT_TRUE(shown.press(C::NextParameter).redraw);
+    EXPECT_EQ(shown.notice(), "");
+  }
 }
 
 TEST_F(ViewSessionTest, PlacesGoRoundAndQuitQuits) {

@@ -40,6 +40,14 @@ std::size_t count(const ColorImage& image, const Rgb& color) {
   return pixels;
 }
 
+/// Pixels that are not the same.
+std::size_t differing(const ColorImage& a, const ColorImage& b) {
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < a.data.size(); ++i)
+    if (!(a.data[i] == b.data[i])) ++pixels;
+  return pixels;
+}
+
 class ViewSnapshot : public TempFolderTest {
  protected:
   void SetUp() override {
@@ -79,7 +87,9 @@ class ViewSnapshot : public TempFolderTest {
       for (std::size_t k = 0; k < order.size(); ++k)
         if (order[k].second == label) result.labels.push_back(static_cast<std::int32_t>(k) + 1);
     result.planes.resize(order.size());
-    return viewScene(frameView(frame_), result, {false, false, true, 0});
+    ViewStyle style;
+    style.outlines = style.normals = false;
+    return viewScene(frameView(frame_), result, {}, style);
   }
 
   VirtualDisplay display_;
@@ -89,6 +99,9 @@ class ViewSnapshot : public TempFolderTest {
 
 #define EPCC_NEED_DISPLAY() \
   if (!display_.exists()) GTEST_SKIP() << "Xvfb not found (Debian package xvfb)"
+
+#define EPCC_NEED_SURFACES() \
+  if (!surfacesMissing().empty()) GTEST_SKIP() << surfacesMissing()
 
 TEST_F(ViewSnapshot, PlanesAreWhereTheyWereSeenInTheirColours) {
   EPCC_NEED_DISPLAY();
@@ -130,12 +143,6 @@ TEST_F(ViewSnapshot, TextsOutlinesNormalsAndSelectionAreDrawn) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return readPicture(path("view.png"));
   };
-  const auto differing = [](const ColorImage& a, const ColorImage& b) {
-    std::size_t pixels = 0;
-    for (std::size_t i = 0; i < a.data.size(); ++i)
-      if (!(a.data[i] == b.data[i])) ++pixels;
-    return pixels;
-  };
   const ColorImage bare = snapshot("t,o,a");
   EXPECT_EQ(differing(bare, snapshot("t,o,a")), 0U) << "the same each time";
   EXPECT_GT(differing(bare, snapshot("t,a")), 500U) << "outlines";
@@ -145,6 +152,103 @@ TEST_F(ViewSnapshot, TextsOutlinesNormalsAndSelectionAreDrawn) {
   EXPECT_GT(count(selected, labelColor(1)), count(bare, labelColor(1)) / 2);
   EXPECT_EQ(count(selected, labelColor(2)), 0U) << "dimmed";
   EXPECT_GT(count(selected, Rgb{255, 255, 255}), 300U) << "its outline";
+}
+
+/// Pixels of the picture with what the sensor has there, seen from the sensor.
+class ViewSnapshotOfAHole : public ViewSnapshot {
+ protected:
+  static constexpr int kLeft = 90, kRight = 130, kTop = 80, kBottom = 115;  // on the back wall, not measured
+  void SetUp() override {
+    ViewSnapshot::SetUp();
+    scene_ = trueScene();  // of the whole room
+    camera_ = viewFrom(ViewPlace::Sensor, scene_, 1.0 * kWidth / kHeight);
+    for (int row = kTop; row <= kBottom; ++row)
+      for (int column = kLeft; column <= kRight; ++column) frame_.depth.at(row, column) = 0.0F;
+    writeLabelledFrame(folder(), frame_);
+  }
+  ColorImage snapshot(const std::string& drawn) const {
+    const ToolResult result = run({"room_depth.png", "--draw", drawn, "--keys", "t", "--snapshot", "view.png"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    return readPicture(path("view.png"));
+  }
+  /// Where the picture has the point that a pixel of the frame saw.
+  Eigen::Vector2i placeOf(int row, int column) const {
+    Eigen::Vector2d pixel;
+    double distance = 0.0;
+    const auto& point = scene_.points[static_cast<std::size_t>(320 * row + column)];
+    EXPECT_TRUE(projectPoint(camera_, kWidth, kHeight, point.position.cast<double>(), pixel, distance));
+    return {static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y()))};
+  }
+  bool isInside(int row, int column, int margin) const {
+    return row >= kTop + margin && row <= kBottom - margin && column >= kLeft + margin && column <= kRight - margin;
+  }
+
+  ViewScene scene_;
+  ViewCamera camera_;
+};
+
+TEST_F(ViewSnapshotOfAHole, TheMeshHasThePlanesColoursAndDoesNotCoverIt) {
+  EPCC_NEED_DISPLAY();
+  EPCC_NEED_SURFACES();
+  const ColorImage picture = snapshot("mesh");
+  std::map<std::int32_t, std::size_t> seen, right;
+  std::size_t in_hole = 0;
+  for (int row = 0; row < 240; ++row)
+    for (int column = 0; column < 320; ++column) {
+      const Eigen::Vector2i place = placeOf(row, column);
+      if (place.x() < 0 || place.y() < 0 || place.x() >= kWidth || place.y() >= kHeight) continue;
+      const Rgb& pixel = picture.at(place.y(), place.x());
+      if (isInside(row, column, 2)) {
+        ++in_hole;
+        EXPECT_TRUE(pixel == kBackgroundColor) << "the hole is covered at " << row << ' ' << column;
+      }
+      if (isInside(row, column, -2)) continue;
+      const std::int32_t label = scene_.points[static_cast<std::size_t>(320 * row + column)].label;
+      ++seen[label];
+      if (pixel == labelColor(label)) ++right[label];
+    }
+  EXPECT_GT(in_hole, 1000U);
+  ASSERT_EQ(seen.size(), 3U);
+  for (const auto& [label, number] : seen)
+    EXPECT_GT(static_cast<double>(right[label]), 0.95 * static_cast<double>(number)) << label;
+  EXPECT_EQ(count(picture, kUnlabelledColor), 0U) << "no points";
+}
+
+TEST_F(ViewSnapshotOfAHole, PolygonsAreLinesRoundItAndRoundThePlanes) {
+  EPCC_NEED_DISPLAY();
+  EPCC_NEED_SURFACES();
+  const ColorImage picture = snapshot("polygons");
+  // The distance from each pixel of the hole's rim to the next that is drawn.
+  const auto is_drawn_near = [&](int row, int column) {
+    const Eigen::Vector2i place = placeOf(row, column);
+    for (int y = place.y() - 4; y <= place.y() + 4; ++y)
+      for (int x = place.x() - 4; x <= place.x() + 4; ++x)
+        if (!(picture.at(y, x) == kBackgroundColor)) return true;
+    return false;
+  };
+  for (int row = kTop; row <= kBottom; ++row) EXPECT_TRUE(is_drawn_near(row, kLeft) && is_drawn_near(row, kRight));
+  for (int column = kLeft; column <= kRight; ++column)
+    EXPECT_TRUE(is_drawn_near(kTop, column) && is_drawn_near(kBottom, column));
+  for (const int inset : {8, 14}) {
+    EXPECT_FALSE(is_drawn_near(kTop + inset, kLeft + inset)) << "within it";
+    EXPECT_FALSE(is_drawn_near(kTop + inset, kLeft - inset)) << "beside it";
+  }
+  EXPECT_LT(count(picture, labelColor(1)), 20U) << "no points, no mesh";
+}
+
+TEST_F(ViewSnapshotOfAHole, KeysDrawTheSameAsTheOption) {
+  EPCC_NEED_DISPLAY();
+  EPCC_NEED_SURFACES();
+  const auto pressed = [&](const std::string& keys) {
+    EXPECT_EQ(run({"room_depth.png", "--keys", keys, "--snapshot", "view.png"}).exit_code, 0);
+    return readPicture(path("view.png"));
+  };
+  EXPECT_EQ(differing(pressed("t,f,a"), snapshot("mesh,polygons")), 0U);
+  EXPECT_EQ(differing(pressed("t,f,f,o"), snapshot("points,mesh,normals")), 0U);
+  EXPECT_EQ(differing(pressed("t,c"), snapshot("points,contours,normals")), 0U);
+  EXPECT_EQ(differing(pressed("t"), snapshot("points,polygons,normals")), 0U);
+  EXPECT_GT(differing(pressed("t"), pressed("t,c")), 100U);
 }
 
 TEST_F(ViewSnapshot, ARealFrameOfACameraAndOfAScanner) {
