@@ -84,6 +84,22 @@ TEST_P(RenderedSurfaces, MeshIsClosedAlongEdges) {
   EXPECT_NEAR(shared, length, 0.02 * length);
 }
 
+/// A border that has to keep its area, or crosses another at one place, is not drawn pixel by pixel all along: the
+/// rooms' straight borders are a few lines each.
+TEST_P(RenderedSurfaces, StraightBordersAreFewLines) {
+  const SensorModel sensor = SensorModel::preset("realsense").value();
+  std::size_t points = 0, surfaces = 0;
+  for (const std::uint64_t seed : {0, 1, 2}) {
+    const LabelledFrame frame = renderScene(GetParam(), seed);
+    for (const SurfacePolygon& surface : surfacePolygons(frameView(frame), sensor, truthOf(frame, sensor)).surfaces) {
+      ++surfaces;
+      for (const SurfacePiece& piece : surface.pieces) points += piece.outline.points.size();
+    }
+  }
+  ASSERT_GE(surfaces, 12U);
+  EXPECT_LE(points, 14 * surfaces);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, RenderedSurfaces, ::testing::Values("a", "b", "c", "d"));
 
 TEST(RenderedSurfaces, NoisyScenesAreSound) {

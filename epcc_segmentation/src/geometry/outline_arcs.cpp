@@ -17,7 +17,9 @@ namespace {
 constexpr double kLeastTolerance = 1e-6;  // pixels: corners on a straight line are left out in any case
 constexpr double kMostNoise = 4.0;        // times tolerance_pixels
 constexpr double kLeastScale = 0.1;
-constexpr double kJunctionReach = 1.5;  // times max_offset: a point of three planes may be this far from the corner
+constexpr std::size_t kFineCorners = 6;  // to either side of a flaw
+constexpr std::size_t kLeastBent = 6;    // corners: in a shorter line a bend is as large as a step
+constexpr double kJunctionReach = 1.5;   // times max_offset: a point of three planes may be this far from the corner
 
 }  // namespace
 
@@ -77,13 +79,37 @@ void OutlineArcs::findRuns(int arc) {
   }
 }
 
-void OutlineArcs::refine(int arc, bool keeps_lines) {
+void OutlineArcs::refine(int arc, std::size_t corner) {
   DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
   is_dirty_[static_cast<std::size_t>(arc)] = 1;
-  if (!keeps_lines && drawn.is_closed_up && !drawn.runs.empty())
+  if (!isSimplifiedAt(drawn, corner)) {
     drawn.is_closed_up = false;
-  else
-    drawn.scale = drawn.scale > kLeastScale ? 0.5 * drawn.scale : 0.0;
+    return;
+  }
+  drawn.is_fine.resize(arcs_.arcs[static_cast<std::size_t>(arc)].corners.size(), 0);
+  const std::size_t end = std::min(corner + kFineCorners + 1, drawn.is_fine.size());
+  for (std::size_t i = corner - std::min(corner, kFineCorners); i < end; ++i) drawn.is_fine[i] = 1;
+}
+
+/// Whether corners near this one, of which no common line takes the place, may be left out.
+bool OutlineArcs::isSimplifiedAt(const DrawnArc& drawn, std::size_t corner) {
+  const auto holds = [corner](const CreaseRun& run) { return run.begin < corner && corner < run.end; };
+  if (drawn.is_closed_up && std::any_of(drawn.runs.begin(), drawn.runs.end(), holds)) return false;
+  return drawn.scale > 0.0 && (drawn.is_fine.empty() || drawn.is_fine[corner] == 0);
+}
+
+bool OutlineArcs::canRefine(int arc, std::size_t corner) const {
+  const DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
+  const auto reaches = [corner](const CreaseRun& run) { return run.begin <= corner && corner <= run.end; };
+  return isSimplifiedAt(drawn, corner) ||
+         (drawn.is_closed_up && std::any_of(drawn.runs.begin(), drawn.runs.end(), reaches));
+}
+
+void OutlineArcs::refineArea(int arc) {
+  DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
+  is_dirty_[static_cast<std::size_t>(arc)] = 1;
+  if (drawn.is_bent) drawn.scale = drawn.scale > kLeastScale ? 0.5 * drawn.scale : 0.0;
+  drawn.is_bent = true;
 }
 
 void OutlineArcs::release(int arc) {
@@ -250,7 +276,9 @@ void OutlineArcs::drawStretch(int arc, std::size_t begin, std::size_t end) {
   DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
   const std::vector<int>& corners = arcs_.arcs[static_cast<std::size_t>(arc)].corners;
   const std::size_t first_vertex = drawn.vertices.size() - 1;
-  const std::vector<std::size_t> kept = simplify(arc, begin, end);
+  std::vector<std::size_t> kept = simplify(arc, begin, end);
+  // All corners between two that stay lie to one side of their line: only a bend can balance it.
+  if (drawn.is_bent && kept.size() == 2 && end - begin >= kLeastBent) kept.insert(kept.begin() + 1, (begin + end) / 2);
   std::vector<Eigen::Vector2d> places;
   for (std::size_t i = begin; i <= end; ++i) places.push_back(pixelPlace(corners[begin], corners[i]));
   const bool is_whole = begin == 0 && end + 1 == corners.size() && corners.front() == corners.back();
@@ -330,12 +358,14 @@ double OutlineArcs::deviation(int from, int to, int corner, bool& is_beyond) con
 /// some beyond their tolerance; 0 if not.
 std::size_t OutlineArcs::farthest(int arc, std::size_t from, std::size_t to) const {
   const LabelArc& own = arcs_.arcs[static_cast<std::size_t>(arc)];
-  const double scale = drawn_[static_cast<std::size_t>(arc)].scale;
+  const DrawnArc& drawn = drawn_[static_cast<std::size_t>(arc)];
   double most = 0.0, least = 0.0, beyond = 0.0, worst = 0.0;  // in tolerances
   std::size_t at = 0;
   for (std::size_t i = from + 1; i < to; ++i) {
     bool is_beyond = false;
-    const double limit = std::max(kLeastTolerance, scale * tolerance(own, own.corners[i]));
+    const bool is_exact = !drawn.is_fine.empty() && drawn.is_fine[i] != 0;
+    const double limit =
+        is_exact ? kLeastTolerance : std::max(kLeastTolerance, drawn.scale * tolerance(own, own.corners[i]));
     const double share = deviation(own.corners[from], own.corners[to], own.corners[i], is_beyond) / limit;
     if (is_beyond) {
       beyond = std::max(beyond, share);

@@ -32,7 +32,9 @@ struct DrawnArc {
   std::vector<Vector2> flat[2];   ///< all corners in the basis of the label to the left and to the right
   double change[2] = {0.0, 0.0};  ///< of the area to the left of the arc in each basis, by what was left out
   double scale = 1.0;             ///< of the tolerance
+  std::vector<char> is_fine;      ///< by corner: no tolerance; empty if none is
   bool is_closed_up = true;       ///< false: the runs are not used
+  bool is_bent = false;           ///< lines between two corners that stay have a corner in the middle that may move
 };
 
 /// Draws the arcs of a label image. Vertices that several planes share are the same for all of them.
@@ -43,8 +45,14 @@ class OutlineArcs {
 
   const LabelArcs& arcs() const { return arcs_; }
   const DrawnArc& drawn(int arc) const { return drawn_[static_cast<std::size_t>(arc)]; }
-  /// Draws the arc without its common lines if it has any, else with half the tolerance, at last with none.
-  void refine(int arc, bool keeps_lines = false);
+  /// Draws the arc as the pixels have it near one of its corners; if it is drawn so there, or the corner is on a common
+  /// line, without its common lines.
+  void refine(int arc, std::size_t corner);
+  /// False if neither would change it.
+  bool canRefine(int arc, std::size_t corner) const;
+  /// Draws the arc so that less area changes, its common lines as they are: bent, then with half the tolerance, at last
+  /// with none.
+  void refineArea(int arc);
   /// Draws each corner of the arc on its own plane.
   void release(int arc);
   /// False if the arc is drawn as the pixels have it.
@@ -73,6 +81,7 @@ class OutlineArcs {
   void trim(const Claim& claim);
   std::optional<Eigen::Vector3d> commonPoint(const std::vector<int>& labels, int corner) const;
   const PlaneCrease* crease(int arc);
+  static bool isSimplifiedAt(const DrawnArc& drawn, std::size_t corner);
   void drawArc(int arc);
   void drawStretch(int arc, std::size_t begin, std::size_t end);
   void measureChange(int arc, std::size_t begin, std::size_t end, std::size_t first_vertex);

@@ -2,6 +2,7 @@
 // Rings of drawn arcs -> polygons with holes on their planes, checked and measured.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "epcc_segmentation/surface_polygon.h"
@@ -47,7 +48,8 @@ class PolygonBuilder {
   void assemble(int label, Region& region, const OutlineArcs& outlines);
   SurfaceRing drawnRing(int label, int ring, double turn, const OutlineArcs& outlines) const;
   bool refineAt(int label, const Region& region, const Vector2& place, OutlineArcs& outlines) const;
-  int arcAt(int label, const Region& region, const Vector2& place, const OutlineArcs& outlines) const;
+  std::pair<int, std::size_t> arcAt(int label, const Region& region, const Vector2& place,
+                                    const OutlineArcs& outlines) const;
   void mend(int label, Region& region);
   void measure(int label, Region& region);
 
