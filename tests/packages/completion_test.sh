@@ -84,7 +84,10 @@ case $name in
     offers_only "--labels a" a.png
     offers "--mode paper a.png --over" --overlay
     ;;
-  epcc_view) offers_only "--snapshot " a.png frames other ;;
+  epcc_view)
+    offers_only "--snapshot " a.png frames other
+    offers_only "--draw points,m" points,mesh
+    ;;
   epcc_eval)
     mapfile -t options < <(options_of merge)
     offers "merge -" "${options[@]}"

@@ -19,7 +19,7 @@ namespace epcc {
 
 namespace {
 
-constexpr int kMostPasses = 60;
+constexpr int kMostPasses = 100;
 
 bool isIn(double value, double least, double most) {
   return value >= least && value <= most;

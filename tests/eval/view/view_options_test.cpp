@@ -92,8 +92,7 @@ TEST(ViewOptions, WhatIsDrawnAtTheStart) {
   const ViewStyle bare = read({"a.pcd", "--draw", "points,normals"}).options.style;
   EXPECT_TRUE(bare.points && bare.normals && !bare.outlines && !bare.mesh);
   expectUsage({"a.pcd", "--draw", "points,lines"}, "--draw: 'lines' is none of points, mesh, polygons");
-  for (const char* empty : {",", "points,"})
-    expectUsage({"a.pcd", std::string("--draw=") + empty}, "'' is none of");
+  for (const char* empty : {",", "points,"}) expectUsage({"a.pcd", std::string("--draw=") + empty}, "'' is none of");
   expectUsage({"a.pcd", "--draw", "polygons,contours"}, "--draw: outlines are polygons or contours");
 }
 
