@@ -79,13 +79,17 @@ int view(const ViewOptions& options, std::ostream& err) {
 
   ViewSession session(options.input, list.inputs, options.style);
   if (options.snapshot.empty()) skipUnusable(session);
-  for (const std::string& key : options.keys) session.press(*commandOf(key));
+  std::string notice = session.notice();
+  for (const std::string& key : options.keys) {
+    session.press(*commandOf(key));
+    if (!session.notice().empty()) notice = session.notice();
+  }
   if (!session.problem().empty()) return reportProblem(kProgram, err, session.problem(), kExitInput);
   if (options.snapshot.empty()) {
     runWindow(session, options);
   } else {
     writeSnapshot(session, options);
-    if (!session.notice().empty()) err << kProgram << ": " << session.input().path << ": " << session.notice() << '\n';
+    if (!notice.empty()) err << kProgram << ": " << notice << '\n';
     if (!session.doubt().empty()) err << kProgram << ": " << session.input().path << ": " << session.doubt() << '\n';
   }
   return kExitDone;

@@ -206,7 +206,7 @@ TEST_F(ViewSceneTest, ArrowsAreNormalsThatFaceTheSensor) {
 }
 
 TEST_F(ViewSceneTest, TheSelectedPlaneStandsOut) {
-  ViewStyle style;
+  ViewStyle style = firstStyle();
   style.selected = 2;
   for (const ViewPoint& point : scene(style).points) {
     const Rgb plain = point.label > 0 ? labelColor(point.label) : kUnlabelledColor;

@@ -252,6 +252,14 @@ TEST_F(ViewSnapshotOfAHole, KeysDrawTheSameAsTheOption) {
   EXPECT_GT(differing(polygons, contours), 100U);
 }
 
+TEST_F(ViewSnapshot, ABuildWithoutSurfacesSaysSoInOneLine) {
+  if (surfacesMissing().empty()) GTEST_SKIP() << "this build has them";
+  EPCC_NEED_DISPLAY();
+  const ToolResult result = run({"room_depth.png", "--keys", "f,c,v", "--snapshot", "view.png"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "epcc_view: no polygons, no mesh: " + surfacesMissing() + "\n");
+}
+
 TEST_F(ViewSnapshot, ARealFrameOfACameraAndOfAScanner) {
   EPCC_NEED_DISPLAY();
   EPCC_NEED_REAL_FRAMES("realsense");
