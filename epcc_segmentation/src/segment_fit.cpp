@@ -12,8 +12,8 @@ namespace epcc {
 
 namespace {
 
-constexpr double kNearest = 0.5, kFarthest = 2.0;  // a sample's distance over that of the line
-constexpr double kLargestLineStep = 0.2;           // relative, between two fits of a line
+constexpr double kNearestSample = 0.5, kFarthestSample = 2.0;  // a sample's distance over that of the line
+constexpr double kLargestLineStep = 0.2;                       // relative, between two fits of a line
 // Degrees of freedom that the frame's mean square is worth beside a segment's own: surfaces differ by a third or so.
 constexpr double kWorthOfFrame = 10.0;
 
@@ -30,7 +30,7 @@ struct LineStep {
     for (const ScanSample* sample : samples) {
       const double w = theta.dot(sample->ray);
       const double ratio = theta.dot(sample->t);
-      if (!(ratio > kNearest && ratio < kFarthest)) continue;
+      if (!(ratio > kNearestSample && ratio < kFarthestSample)) continue;
       const double weight = 1.0 / (sensor.varianceZ(1.0 / w) * (w * w) * (w * w));
       const double rho = w * (1.0 - ratio);
       information += weight * sample->ray * sample->ray.transpose();

@@ -12,14 +12,14 @@ namespace epcc {
 
 namespace {
 
-constexpr std::size_t kMemory = 600;   // blocks: of four frames at least
-constexpr std::size_t kFewest = 8;     // that say anything
-constexpr double kLargestShare = 0.5;  // of a block's offset that its region's plane may have taken up
+constexpr std::size_t kMemory = 600;    // blocks: of four frames at least
+constexpr std::size_t kFewestBent = 8;  // that say anything
+constexpr double kLargestShare = 0.5;   // of a block's offset that its region's plane may have taken up
 constexpr double kOneSigma = 0.6827;
 // Lengths looked at, in sides of a block: of faster waves its quadric leaves enough, of slower ones it sees a plane.
 constexpr double kShortest = 0.25, kLongest = 3.0;
 constexpr double kBeyondBlotches = 1.5;  // times their length
-constexpr double kLengthStep = 1.1;
+constexpr double kBendingLengthStep = 1.1;
 
 /// Variance of a block's offset, and of its slope over half of its side, of an error of variance 1.
 struct BlockVariances {
@@ -121,7 +121,7 @@ void SlowBending::addBlock(const BlockResiduals& block, const InverseDepthImage&
 // With a bending of b times the variance of all else, (1 + b) times what is seen is what blotches and grain give and b
 // times what bending of that length gives, of offsets as of slopes.
 ErrorCorrelation SlowBending::explain(const ErrorCorrelation& measured) {
-  if (seen_.size() < kFewest) return measured;
+  if (seen_.size() < kFewestBent) return measured;
   offsets_.clear();
   slopes_.clear();
   for (const Seen& seen : seen_) {
@@ -135,7 +135,7 @@ ErrorCorrelation SlowBending::explain(const ErrorCorrelation& measured) {
   double least = std::numeric_limits<double>::infinity();
   ErrorCorrelation best = measured;
   for (double length = std::max(kBeyondBlotches * measured.blotches.length, kShortest * side_);
-       length <= kLongest * side_; length *= kLengthStep) {
+       length <= kLongest * side_; length *= kBendingLengthStep) {
     const BlockVariances of_bending = variancesOf({{1.0, length}, {}}, side_);
     if (!(of_bending.offset > offset)) continue;
     const double bending = (offset - own.offset) / (of_bending.offset - offset);
