@@ -9,10 +9,10 @@
 #include <limits>
 #include <random>
 
+#include "pi.h"
+
 namespace epcc {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::vector<SigmaTarget> someTargets(unsigned seed) {
   std::mt19937 generator(seed);

@@ -8,13 +8,13 @@
 #include <random>
 #include <vector>
 
+#include "pi.h"
 #include "sensor/image_blocks.h"
 
 namespace epcc {
 namespace {
 
 constexpr int kWidth = 480, kHeight = 320, kSide = 32;
-constexpr double kPi = 3.14159265358979323846;
 const PinholeCamera kCamera{kWidth, kHeight, 400.0, 400.0, 239.5, 159.5};
 const SensorModel kSensor = SensorModel::axial(0.004, 0.0, 0.4);
 
