@@ -28,7 +28,7 @@ int main() {
 }
 
 // Prints:
-//   48536 pixels, normal (-0.00 -0.00 -1.00), 3.00 m away, rms 9 mm
-//   15685 pixels, normal (-0.00 -1.00  0.00), 1.00 m away, rms 5 mm
-//   12377 pixels, normal (-1.00  0.00  0.00), 1.50 m away, rms 7 mm
+//   48507 pixels, normal (-0.00 -0.00 -1.00), 3.00 m away, rms 9 mm
+//   15678 pixels, normal (-0.00 -1.00 -0.00), 1.00 m away, rms 5 mm
+//   12373 pixels, normal (-1.00 -0.00 -0.00), 1.50 m away, rms 7 mm
 //   label of the pixel in row 200, column 160: 2

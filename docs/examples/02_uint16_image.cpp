@@ -41,7 +41,7 @@ int main() {
 }
 
 // Prints:
-//   48542 pixels, 3.00 m away
-//   15686 pixels, 1.00 m away
-//   12376 pixels, 1.50 m away
+//   48501 pixels, 3.00 m away
+//   15687 pixels, 1.00 m away
+//   12375 pixels, 1.50 m away
 //   SizeMismatch: the camera's size is not that of the depth image

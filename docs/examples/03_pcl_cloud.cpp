@@ -28,8 +28,8 @@ int main(int count, char** arguments) {
 }
 
 // Prints for the cloud of the tutorial, a_000.pcd:
-//   plane 0: -0.01 x + -0.83 y + -0.56 z + 0.55 = 0, 70039 points
-//   plane 1: -0.03 x + 0.56 y + -0.83 z + 1.19 = 0, 42872 points
-//   plane 2: 0.55 x + 0.46 y + -0.69 z + 0.49 = 0, 4593 points
+//   plane 0: -0.01 x + -0.83 y + -0.56 z + 0.55 = 0, 70014 points
+//   plane 1: -0.03 x + 0.56 y + -0.83 z + 1.19 = 0, 42845 points
+//   plane 2: 0.55 x + 0.47 y + -0.69 z + 0.49 = 0, 4596 points
 //   plane 3: -0.03 x + -0.82 y + -0.57 z + 0.34 = 0, 3230 points
 //   plane 4: -0.83 x + 0.31 y + -0.46 z + 0.19 = 0, 1229 points

@@ -49,7 +49,7 @@ for axes in (left, middle):
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "planes.png", dpi=110)
 
 # Prints:
-#   48248 pixels, normal (0.00 0.00 -1.00), 3.00 m away, rms 9 mm
+#   48255 pixels, normal (0.00 0.00 -1.00), 3.00 m away, rms 9 mm
 #   15783 pixels, normal (-0.00 -1.00 -0.00), 1.00 m away, rms 2 mm
-#   12405 pixels, normal (-1.00 -0.00 0.00), 1.50 m away, rms 4 mm
+#   12405 pixels, normal (-1.00 -0.00 -0.00), 1.50 m away, rms 4 mm
 #   sensor: sigma at 2 m 3.9 mm

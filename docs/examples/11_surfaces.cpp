@@ -46,7 +46,7 @@ int main() {
 // Prints:
 //   plane 1: 10.7 square metres, 3.9 m by 2.8 m
 //     with a hole of 0.18 square metres
-//   plane 2: 4.5 square metres, 4.0 m by 1.4 m
+//   plane 2: 4.5 square metres, 3.9 m by 1.3 m
 //   plane 3: 2.8 square metres, 2.8 m by 1.2 m
 //   planes 1 and 2 meet in a corner, 3.9 m long, 90 degrees
 //   planes 1 and 3 meet in a corner, 2.2 m long, 90 degrees
