@@ -104,6 +104,7 @@ std::vector<PlaneEdge> creaseEdges(const PixelRays& rays, const EdgeOptions& opt
       edge.start = rays.toCaller(part.start);
       edge.end = rays.toCaller(part.end);
       edge.length = (edge.end - edge.start).norm();
+      if (!(edge.length > 0.0)) continue;  // both ends are one point of three planes
       edge.angle = crease.angle();
       edge.convex = part.nearer < 0.0;
       edge.pixels = part.pixels;

@@ -68,6 +68,8 @@ void OutlineArcs::findRuns(int arc) {
     if (!isNear(begin)) continue;
     while (end + 1 < corners.size() && isNear(end + 1)) ++end;
     if (end - begin < static_cast<std::size_t>(options_.edges.min_pixels)) continue;
+    // A whole ring near the line is an island beside it: on the line it would be a point.
+    if (begin == 0 && end + 1 == corners.size() && corners.front() == corners.back()) continue;
     CreaseRun run;
     run.begin = begin;
     run.end = end;

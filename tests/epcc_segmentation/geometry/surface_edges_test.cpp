@@ -154,6 +154,22 @@ TEST(PlaneEdges, BoxIsConvex) {
   expectClosed(polygons, mesh);
 }
 
+/// Pixels that the noise gave to the wrong one of two walls, near their corner.
+TEST(PlaneEdges, IslandBesideTheLineIsNoEdge) {
+  const DrawnScene scene(2, [](double u, double v, int column) {
+    const double left = 1.0 / (1.0 - u), right = 1.0 / (1.0 + u);
+    const bool is_island = column >= 76 && column <= 77 && std::abs(v) < 0.1;
+    return std::pair<double, int>(std::max(left, right), left > right || is_island ? 2 : 1);
+  });
+  const DepthFrame frame = scene.frame();
+  const PlaneSegmentation segmentation = scene.segmentation();
+  const SurfacePolygons polygons = surfacePolygons(frame, exactSensor(), segmentation);
+  test::expectSoundSurfaces(polygons, surfaceMesh(polygons.surfaces));
+  ASSERT_EQ(polygons.edges.size(), 1U);
+  EXPECT_GT(polygons.edges[0].length, 0.5);
+  EXPECT_EQ(polygons.edges[0].pixels, scene.camera.height);
+}
+
 TEST(PlaneEdges, StepIsNoEdge) {
   // A wall, and before it a panel that is turned and meets the wall's plane far away from its border.
   const DrawnScene scene(2, [](double u, double, int column) {
