@@ -88,6 +88,8 @@ std::optional<int> parseSegmentOptions(int argc, const char* const* argv, Segmen
     if (problem.empty() && options.with_surfaces && !checkSurfaces("").empty())
       problem = "--with-surfaces: " + checkSurfaces("");
     require(problem.empty(), problem);
+    require(!options.mesh_is_text || options.with_surfaces || !options.mesh.empty(),
+            "--mesh-text requires --mesh or --with-surfaces");
     options.parameters.line_segments |=
         options.with_segments || !options.segments.empty() || !options.segments_picture.empty();
   });

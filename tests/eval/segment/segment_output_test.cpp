@@ -116,6 +116,7 @@ TEST_F(SegmentOutput, FolderWithSurfaces) {
   EXPECT_EQ(names("out"), (Names{"room_cloud.pcd", "room_labels.png", "room_mesh.ply", "room_overlay.png",
                                  "room_planes.json", "room_polygons.json"}));
   expectFailure({"room_depth.png", "--with-surfaces"}, 2, "--out");
+  expectFailure({"room_depth.png", "--mesh-text"}, 2, "--mesh-text requires --mesh");
   expectFailure({"room_depth.png", "--mesh", "mesh.stl"}, 2, "ends neither in .ply nor in .obj");
   expectFailure({"room_depth.png", "--mesh", "a.ply", "--polygons", "a.ply"}, 2, "twice");
   expectFailure({"room_depth.png", "--mesh", "nowhere/a.ply"}, 4, "nowhere");
