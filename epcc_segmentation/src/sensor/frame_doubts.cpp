@@ -68,8 +68,9 @@ std::string Doubts::inWords() const {
     return line;
   }
   if (sensor_is_generic)
-    say("noise: the sensor's error could not be measured, for no part of the image is flat, and a generic model is "
-        "used: is this a depth image, are the bytes of its values in the right order? If so, give a sensor model");
+    say("noise: the sensor's error could not be measured, for no part of the image is flat or none shows an error, and "
+        "a generic model is used: is this a depth image, are the bytes of its values in the right order? If so, give a "
+        "sensor model");
   if (error_share >= kDoubtfulError) {
     std::snprintf(text, sizeof text,
                   "noise: the measured error is %.0f %% of the depth, more than that of a sensor: is this a depth "
