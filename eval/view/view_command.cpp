@@ -80,13 +80,14 @@ int view(const ViewOptions& options, std::ostream& err) {
   ViewSession session(options.input, list.inputs, options.style);
   if (options.snapshot.empty()) skipUnusable(session);
   std::string notice = session.notice();
+  bool quit = false;
   for (const std::string& key : options.keys) {
-    session.press(*commandOf(key));
+    quit |= session.press(*commandOf(key)).quit;
     if (!session.notice().empty()) notice = session.notice();
   }
   if (!session.problem().empty()) return reportProblem(kProgram, err, session.problem(), kExitInput);
   if (options.snapshot.empty()) {
-    runWindow(session, options);
+    if (!quit) runWindow(session, options);
   } else {
     writeSnapshot(session, options);
     if (!notice.empty()) err << kProgram << ": " << notice << '\n';

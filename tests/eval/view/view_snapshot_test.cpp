@@ -284,6 +284,12 @@ TEST_F(ViewSnapshot, WithoutADisplayItEndsInOneLine) {
   EXPECT_FALSE(exists("view.png"));
 }
 
+TEST_F(ViewSnapshot, TheKeyThatQuitsOpensNoWindow) {
+  const ToolResult result = run({"room_depth.png", "--keys", "n,q"}, display_.command() + "timeout 30 ");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, "");
+}
+
 TEST_F(ViewSnapshot, WhatCannotBeUsedOrWrittenIsTold) {
   EPCC_NEED_DISPLAY();
   expectFailure({"no.pcd", "--snapshot", "view.png"}, 3, "no.pcd: file: does not exist", display_.command());
