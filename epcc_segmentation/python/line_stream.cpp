@@ -38,6 +38,26 @@ void checkSize(const StreamGeometry& geometry, const py::array& array) {
                                         " samples, not " + std::to_string(array.shape(0)));
 }
 
+const char* callsFor(Kind kind) {
+  switch (kind) {
+    case Kind::CameraColumns:
+      return "the columns of a camera: add_column(index, values)";
+    case Kind::CameraRows:
+      return "the rows of a camera: add_row(index, values)";
+    case Kind::Scanner:
+      return "the columns of a scanner: add_column(index, values, azimuth) or add_column_at(azimuth, values)";
+    case Kind::Points:
+      break;
+  }
+  return "the columns of a cloud: add_points(index, points)";
+}
+
+/// As the library would, in the names that the calls have here.
+void checkKind(const StreamGeometry& geometry, Kind kind) {
+  if (kind == geometry.kind()) return;
+  throwStatus(Status::UnsupportedScan, std::string("the stream takes ") + callsFor(geometry.kind()));
+}
+
 }  // namespace
 
 LineStream::LineStream(const StreamGeometry& geometry, const StreamOptions& options)
@@ -58,7 +78,8 @@ bool LineStream::addValues(Kind kind, const py::array& values, std::optional<dou
   refuseMasked(values);
   if (values.ndim() != 1)
     throwStatus(Status::SizeMismatch, "the values of a scan line are a row of numbers, not " + shapeText(values));
-  if (kind == geometry_.kind()) checkSize(geometry_, values);  // of others the library says which it takes
+  checkKind(geometry_, kind);
+  checkSize(geometry_, values);
   if (py::isinstance<py::array_t<std::uint16_t>>(values))
     return taken(add(static_cast<const std::uint16_t*>(values.data()), strideOf<std::uint16_t>(values),
                      depth_scale.value_or(DepthView<std::uint16_t>().scale)));
@@ -98,7 +119,8 @@ bool LineStream::addPoints(std::int64_t index, const py::array& points) {
     throwStatus(Status::SizeMismatch, "the points of a scan line are N x 3, not " + shapeText(points));
   if (!py::isinstance<py::array_t<float>>(points))
     throwTypeError("points are float32, not " + std::string(py::str(points.dtype())));
-  if (geometry_.kind() == Kind::Points) checkSize(geometry_, points);
+  checkKind(geometry_, Kind::Points);
+  checkSize(geometry_, points);
   const std::ptrdiff_t stride = points.shape(0) > 1 ? strideOf<float>(points) : 3;
   if (points.strides(1) != static_cast<py::ssize_t>(sizeof(float)) || stride < 3)
     throwStatus(Status::SizeMismatch,
