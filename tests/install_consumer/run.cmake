@@ -100,10 +100,12 @@ endif()
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/../subproject -B ${WORK_DIR}/subproject -G ${GENERATOR}
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DEPCC_SOURCE_DIR=${EPCC_SOURCE_DIR})
 
-# A component that does not exist is refused.
+# A component that does not exist is refused, with the reason.
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/unknown -G ${GENERATOR}
                         -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${prefix} -DEPCC_COMPONENT=unknown
-                RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+                RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE error)
 if(result EQUAL 0)
   message(FATAL_ERROR "find_package(epcc_segmentation COMPONENTS unknown) succeeded")
+elseif(NOT error MATCHES "component unknown: there is none of this name")
+  message(FATAL_ERROR "find_package(epcc_segmentation COMPONENTS unknown) does not say why: ${error}")
 endif()
