@@ -16,6 +16,7 @@ constexpr std::size_t kMemory = 600;    // blocks: of four frames at least
 constexpr std::size_t kFewestBent = 8;  // that say anything
 constexpr double kLargestShare = 0.5;   // of a block's offset that its region's plane may have taken up
 constexpr double kOneSigma = 0.6827;
+constexpr double kQuantileError = 1.92;  // standard deviation of that quantile of n squares: its own size over sqrt(n)
 // Lengths looked at, in sides of a block: of faster waves its quadric leaves enough, of slower ones it sees a plane.
 constexpr double kShortest = 0.25, kLongest = 3.0;
 constexpr double kBeyondBlotches = 1.5;  // times their length
@@ -131,7 +132,8 @@ ErrorCorrelation SlowBending::explain(const ErrorCorrelation& measured) {
   }
   const double offset = quantile(offsets_, kOneSigma), slope = quantile(slopes_, kOneSigma);
   const BlockVariances own = variancesOf(measured, side_);
-  if (!(offset > own.offset)) return measured;
+  const double by_chance = kQuantileError / std::sqrt(static_cast<double>(offsets_.size()));
+  if (!(offset > own.offset * (1.0 + by_chance))) return measured;
   double least = std::numeric_limits<double>::infinity();
   ErrorCorrelation best = measured;
   for (double length = std::max(kBeyondBlotches * measured.blotches.length, kShortest * side_);
