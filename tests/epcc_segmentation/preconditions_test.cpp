@@ -12,7 +12,7 @@
 namespace {
 
 #ifdef NDEBUG
-#define EPCC_EXPECT_ASSERTION(statement, condition) GTEST_SKIP() << "this build has no assertions"
+#define EPCC_EXPECT_ASSERTION(statement, condition) GTEST_SKIP() << "this build has no assertions (NDEBUG)"
 #else
 #define EPCC_EXPECT_ASSERTION(statement, condition) EXPECT_DEATH(statement, condition)
 #endif

@@ -10,6 +10,7 @@
 
 #include "epcc_segmentation/plane_extractor.h"
 #include "eval/pictures/label_colors.h"
+#include "tests/eval/view/need_surfaces.h"
 #include "tests/support/tiny_frames.h"
 
 namespace epcc {
@@ -59,9 +60,6 @@ class ViewSceneTest : public ::testing::Test {
   PlaneSegmentation result_;
   Eigen::Vector2i hole_{22, 34};  // column and row, on the back wall
 };
-
-#define EPCC_NEED_SURFACES() \
-  if (!surfacesMissing().empty()) GTEST_SKIP() << surfacesMissing()
 
 TEST_F(ViewSceneTest, EveryMeasuredPixelIsAPointInThePlanesColour) {
   const ViewScene all = scene();

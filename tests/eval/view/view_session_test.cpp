@@ -7,15 +7,13 @@
 #include <random>
 
 #include "eval/view/view_text.h"
+#include "tests/eval/view/need_surfaces.h"
 #include "tests/eval/view/session_frames.h"
 
 namespace epcc {
 namespace {
 
 using C = ViewCommand;
-
-#define EPCC_NEED_SURFACES() \
-  if (!surfacesMissing().empty()) GTEST_SKIP() << surfacesMissing()
 
 class ViewSessionTest : public ::testing::Test {
  protected:
@@ -227,7 +225,7 @@ TEST_F(ViewSessionTest, ASelectedPlanesPolygonIsDescribed) {
 }
 
 TEST_F(ViewSessionTest, ABuildWithoutSurfacesSaysSoInTheWindow) {
-  if (surfacesMissing().empty()) GTEST_SKIP() << "this build has them";
+  EPCC_NEED_NO_SURFACES();
   ViewSession shown = session();
   EXPECT_EQ(shown.notice(), "");
   EXPECT_FALSE(shown.scene().outlines.empty()) << "contours";

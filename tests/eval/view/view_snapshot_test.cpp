@@ -9,6 +9,7 @@
 #include "datasets/files/labelled_frame.h"
 #include "eval/pictures/label_colors.h"
 #include "eval/view/view_camera.h"
+#include "tests/eval/view/need_surfaces.h"
 #include "tests/eval/view/virtual_display.h"
 #include "tests/support/real_frames.h"
 #include "tests/support/rendered_room.h"
@@ -99,9 +100,6 @@ class ViewSnapshot : public TempFolderTest {
 
 #define EPCC_NEED_DISPLAY() \
   if (!display_.exists()) GTEST_SKIP() << "Xvfb not found (Debian package xvfb)"
-
-#define EPCC_NEED_SURFACES() \
-  if (!surfacesMissing().empty()) GTEST_SKIP() << surfacesMissing()
 
 TEST_F(ViewSnapshot, PlanesAreWhereTheyWereSeenInTheirColours) {
   EPCC_NEED_DISPLAY();
@@ -253,7 +251,7 @@ TEST_F(ViewSnapshotOfAHole, KeysDrawTheSameAsTheOption) {
 }
 
 TEST_F(ViewSnapshot, ABuildWithoutSurfacesSaysSoInOneLine) {
-  if (surfacesMissing().empty()) GTEST_SKIP() << "this build has them";
+  EPCC_NEED_NO_SURFACES();
   EPCC_NEED_DISPLAY();
   const ToolResult result = run({"room_depth.png", "--keys", "f,c,v", "--snapshot", "view.png"});
   EXPECT_EQ(result.exit_code, 0);
