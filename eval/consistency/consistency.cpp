@@ -22,11 +22,6 @@ namespace {
 constexpr double kSameSurface = 0.8;
 constexpr int kEveryLine = 4;  // scan lines side by side err alike where the error is correlated
 
-DepthFrame viewOf(const LabelledFrame& frame) {
-  return DepthFrame::fromDepth(DepthView<float>{frame.depth.data.data(), frame.depth.width, frame.depth.height},
-                               frame.camera.camera);
-}
-
 /// The true labels, of measured pixels of planes.
 std::vector<std::int32_t> trueLabels(const LabelledFrame& frame, const std::map<int, Vector4>& planes) {
   std::vector<std::int32_t> labels;
@@ -117,15 +112,15 @@ class OneError {
                 const std::vector<std::int32_t>& labels) {
     PlaneSegmentation result;
     result.labels = labels;
-    fitPlanes(viewOf(frame), error_.sensor, scene.planes.rbegin()->first, result);
+    fitPlanes(frameView(frame), error_.sensor, scene.planes.rbegin()->first, result);
     addPlanes(name, result, labels, scene.planes, rows_[0]);
     result.labels = labels;
-    fitLines(viewOf(frame), error_.sensor, ScanDirection::Both, result);
+    fitLines(frameView(frame), error_.sensor, ScanDirection::Both, result);
     addLines(frame, result, scene.planes, rows_[3]);
   }
 
   static void segment(PlaneExtractor& extractor, const LabelledFrame& frame, PlaneSegmentation& result) {
-    if (!extractor.extract(viewOf(frame), result)) throw std::runtime_error(extractor.error());
+    if (!extractor.extract(frameView(frame), result)) throw std::runtime_error(extractor.error());
   }
 
   RenderedError error_;
