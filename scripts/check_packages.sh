@@ -62,7 +62,7 @@ cp -r tests/packages tests/install_consumer/program docs/examples "$system/root/
 
 inside() {
   chroot "$system" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
-    DEBIAN_FRONTEND=noninteractive bash -c 'cd /root/work && exec "$@"' bash "$@"
+    DEBIAN_FRONTEND=noninteractive bash -c 'cd ~/work && exec "$@"' bash "$@"
 }
 apt() { quietly inside apt-get -q -o Acquire::Retries=3 "$@"; }
 find_packages() { # find_packages PATTERN...: the files as the system sees them
