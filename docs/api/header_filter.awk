@@ -11,6 +11,7 @@ BEGIN {
   add("surfaces", "contours surface_polygon plane_edges surface_mesh surface_sampling")
   add("laser", "laser_line_extractor laser_scan range_noise")
   add("stream", "scan_line_stream stream_geometry")
+  add("over_time", "plane_tracker known_planes")
   add("support", "vectors on_threads vector_unit export")
 }
 

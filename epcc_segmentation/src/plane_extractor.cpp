@@ -133,6 +133,31 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
   return fail(Status::Failed, error.what(), result);
 }
 
+namespace {
+
+bool isComplete(const KnownView& view) {
+  return view.labels != nullptr && view.width > 0 && view.height > 0 &&
+         view.labels->size() == static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+}
+
+}  // namespace
+
+bool PlaneExtractor::extract(const DepthFrame& frame, const KnownPlanes& known, PlaneSegmentation& result,
+                             Continuation& continuation) {
+  const bool can_continue =
+      parameters_.mode == Mode::InverseDepth && frame.geometry() == nullptr && !frame.isTransposed() &&
+      isPerspective(frame.projection()) &&
+      std::all_of(known.views.begin(), known.views.end(), [](const KnownView& view) { return isComplete(view); });
+  continuation = Continuation();
+  continuation.pose = known.pose;
+  known_ = can_continue ? &known : nullptr;
+  continuation_ = &continuation;
+  const bool done = extract(frame, result);
+  known_ = nullptr;
+  continuation.continues.resize(result.planes.size(), -1);
+  return done;
+}
+
 void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result) {
   const bool paper = parameters_.mode == Mode::Paper;
   workspace_->measured_error.reset();
@@ -147,6 +172,14 @@ void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmenta
     error = workspace_->bending.update(workspace_->estimator.lastBlocks(), *workspace_->measured_image, error,
                                        {result.labels, result.planes, sensor_, workspace_->fitter});
     workspace_->fitter.correlate(error, result.planes);
+  }
+  if (known_ != nullptr) {
+    const std::vector<int>& known = workspace_->inverse_depth.knownPlanes();
+    continuation_->continues.assign(result.planes.size(), -1);
+    for (std::size_t k = 0; k < known.size(); ++k) {
+      const std::int32_t label = workspace_->fitter.newLabels()[k + 1];
+      if (label > 0) continuation_->continues[static_cast<std::size_t>(label) - 1] = known[k];
+    }
   }
   if (parameters_.line_segments) listSegments(frame, error, result);
   times_.result += watch.lap();
@@ -185,6 +218,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   pipeline.configure(parameters_, sensor_);
   pipeline.begin(workspace_->image, scattered);
   times_.read += watch.lap();
+  if (known_ != nullptr && scattered == nullptr) pipeline.continueKnown(*known_, *continuation_);
   pipeline.growLines();  // S1
   times_.lines = watch.lap();
   pipeline.growPlanes();  // S2

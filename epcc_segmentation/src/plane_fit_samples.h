@@ -55,6 +55,8 @@ class PlaneFitter {
   const RayFit& rayFit(std::size_t plane) const;
   /// Gives the planes of the last fit the covariance of an error of this correlation.
   void correlate(const ErrorCorrelation& error, std::vector<Plane>& planes) const;
+  /// Of the last fit: what became of the labels 0 .. plane_count.
+  const std::vector<std::int32_t>& newLabels() const { return new_label_; }
 
  private:
   enum class Sums { OfPoints, OfRays };

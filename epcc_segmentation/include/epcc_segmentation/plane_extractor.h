@@ -8,6 +8,7 @@
 
 #include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/export.h"
+#include "epcc_segmentation/known_planes.h"
 #include "epcc_segmentation/parameters.h"
 #include "epcc_segmentation/plane_segmentation.h"
 #include "epcc_segmentation/sensor_model.h"
@@ -61,6 +62,11 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   /// cloud that was given. A frame without a single valid pixel is no error. Nothing is thrown.
   bool extract(const DepthFrame& frame, PlaneSegmentation& result);
 
+  /// The same where planes of an earlier frame are known, KnownPlanes. Of depth images and clouds of a camera in its
+  /// own frame in the inverse-depth mode; for others, or labels of another size, it is as if nothing were known.
+  bool extract(const DepthFrame& frame, const KnownPlanes& known, PlaneSegmentation& result,
+               Continuation& continuation);
+
   /// How the last extract() ended.
   Status status() const { return status_; }
   /// What was wrong, in words; empty if nothing was.
@@ -93,6 +99,8 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   Status status_ = Status::Ok;
   std::string error_;
   StageTimes times_;
+  const KnownPlanes* known_ = nullptr;  // of the extraction that is going on
+  Continuation* continuation_ = nullptr;
   std::unique_ptr<Workspace> workspace_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace epcc {
 
@@ -23,5 +24,9 @@ using Matrix2 = Eigen::Matrix<double, 2, 2, Eigen::DontAlign>;
 using Matrix3 = Eigen::Matrix<double, 3, 3, Eigen::DontAlign>;
 /// The covariance of a plane's coefficients; converts to and from Eigen::Matrix4d.
 using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
+using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
+/// Turns and shifts.
+using Isometry3 = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
 
 }  // namespace epcc

@@ -45,18 +45,24 @@ void rejectRegions(const InverseDepthImage& image, const InverseDepthParameters&
   memory.may_bend.assign(count, 0);
   for (std::size_t k = 0; k < count; ++k) {
     const PlaneMoments& region = map.regions[k];
-    if (!(region.n > 0.0) || !isPlane(region, parameters, sensor)) continue;
-    memory.is_plane[k] = 1;
+    if (!(region.n > 0.0)) continue;
+    memory.is_plane[k] = isPlane(region, parameters, sensor) ? 1 : 0;
+    if (memory.is_plane[k] == 0) continue;
     memory.may_bend[k] = mayBeFacet(region, evidence, pixels_per_sample) ? 1 : 0;
   }
   measureBending(image, map, memory.may_bend, memory.bending, threads);
 
   memory.new_label.assign(count + 1, 0);
-  for (std::size_t k = 0; k < count; ++k)
-    if (memory.is_plane[k] != 0 && !isFacet(memory.bending.bending[k], evidence, pixels_per_sample))
+  map.doubtful.assign(static_cast<std::size_t>(map.known), 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool is_plane = memory.is_plane[k] != 0 && !isFacet(memory.bending.bending[k], evidence, pixels_per_sample);
+    const bool is_known = static_cast<int>(k) < map.known;
+    if (is_known) map.doubtful[k] = is_plane ? 0 : 1;
+    if (is_plane || is_known)
       memory.new_label[k + 1] = static_cast<std::int32_t>(k + 1);
     else
       map.regions[k] = PlaneMoments();
+  }
   map.relabel(memory.new_label, threads);
 }
 

@@ -13,6 +13,13 @@
 
 namespace epcc {
 
+namespace {
+
+// Sigma by which another plane must suit a sample better before it leaves the one that it was in earlier frames.
+constexpr double kSteadyGain = 1.0;
+
+}  // namespace
+
 InverseDepthPipeline::InverseDepthPipeline(const Parameters& parameters, const SensorModel& sensor)
     : parameters_(parameters),
       sensor_(sensor),
@@ -45,9 +52,31 @@ void InverseDepthPipeline::begin(InverseDepthImage& image, ScatteredPixels* scat
   grid.weigh(sensor_, takes_blocks ? grid.placeVariance() : pixel_noise_.place2, parameters_.threads);
   full_image_ = &image;
   image_ = &grid;
+  map_.known = 0;
+  searches_ = true;
+  continuation_ = nullptr;
   for (DirectionalPlanes& direction : directions_) direction.configure(grid_parameters_, grid_sensor_);
   directions_[0].setActive(parameters_.scan != ScanDirection::Rows);
   directions_[1].setActive(parameters_.scan != ScanDirection::Columns && image.planar_rows);
+}
+
+void InverseDepthPipeline::continueKnown(const KnownPlanes& known, Continuation& continuation) {
+  KnownRegions::Rule rule;
+  rule.max_residual = grid_parameters_.expert.refinement.max_residual;
+  rule.pixels_per_sample = grid_sensor_.pixelsPerSample();
+  map_.known = static_cast<int>(known.planes.size());
+  continuation_ = &continuation;
+  InverseDepthParameters::Refinement& refinement = grid_parameters_.expert.refinement;
+  refinement.flip_gain = std::max(refinement.flip_gain, kSteadyGain);
+  rule.error_scale = known.error_scale;
+  known_.label(*image_, known, rule, map_, continuation);
+  searches_ = known.search;
+  if (!searches_) {
+    for (DirectionalPlanes& direction : directions_) direction.setActive(false);
+    return;
+  }
+  epcc::refineBoundaries(*image_, grid_parameters_, map_, refinement_, parameters_.threads);
+  known_.hideLabelled(*image_, map_);
 }
 
 // The strips of both directions know nothing of each other. Those of rows, which take longer or shorter, are spread
@@ -82,11 +111,22 @@ void InverseDepthPipeline::growPlanes() {
 }
 
 void InverseDepthPipeline::joinDirections() {
-  joining_.join(*image_, directions_, parameters_.threads, map_);
+  if (!searches_) return;
+  if (continuation_ == nullptr) {
+    joining_.join(*image_, directions_, parameters_.threads, map_);
+    map_.accumulate(*image_, parameters_.threads);
+    return;
+  }
+  joining_.join(*image_, directions_, parameters_.threads, rest_map_);
+  known_.showAll(*image_);
+  for (std::size_t i = 0; i < map_.labels.size(); ++i)
+    if (rest_map_.labels[i] > 0) map_.labels[i] = map_.known + rest_map_.labels[i];
+  map_.regions.resize(static_cast<std::size_t>(map_.known) + rest_map_.regions.size());
   map_.accumulate(*image_, parameters_.threads);
 }
 
 void InverseDepthPipeline::mergeRegions() {
+  if (!searches_) return;
   const InverseDepthParameters::Merging& merging = grid_parameters_.expert.merging;
   const double blotch = merging.bridge_samples * grid_sensor_.pixelsPerLineSample();
   const int bridge = std::max(merging.min_bridge_pixels, static_cast<int>(blotch));
@@ -98,6 +138,9 @@ void InverseDepthPipeline::mergeRegions() {
 void InverseDepthPipeline::refineBoundaries() {
   epcc::refineBoundaries(*image_, grid_parameters_, map_, refinement_, parameters_.threads);
   mergeRegions();  // S6
+  if (continuation_ == nullptr || !searches_) return;
+  for (const RegionPair& pair : merger_.alikeKnown()) continuation_->alike.emplace_back(pair.low - 1, pair.high - 1);
+  for (const RegionPair& pair : merger_.apartKnown()) continuation_->apart.emplace_back(pair.low - 1, pair.high - 1);
 }
 
 void InverseDepthPipeline::rejectClutter() {
@@ -105,10 +148,13 @@ void InverseDepthPipeline::rejectClutter() {
 }
 
 void InverseDepthPipeline::joinOccluded() {
+  if (!searches_) return;
   findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
                        grid_parameters_.expert.refinement.max_residual, map_, occlusion_, contacts_,
                        parameters_.threads);
   merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_, parameters_.threads);
+  if (continuation_ == nullptr) return;
+  for (const RegionPair& pair : merger_.alikeKnown()) continuation_->alike.emplace_back(pair.low - 1, pair.high - 1);
 }
 
 void InverseDepthPipeline::rejectThin() {
@@ -117,8 +163,9 @@ void InverseDepthPipeline::rejectThin() {
 
 void InverseDepthPipeline::labelPixels() {
   if (steps_.isEveryPixel()) return;
-  full_resolution_.label(*full_image_, pixel_noise_, map_, steps_, parameters_.inverse_depth.expert.refinement,
-                         parameters_.threads, pixel_labels_);
+  InverseDepthParameters::Refinement refinement = parameters_.inverse_depth.expert.refinement;
+  if (continuation_ != nullptr) refinement.flip_gain = std::max(refinement.flip_gain, kSteadyGain);
+  full_resolution_.label(*full_image_, pixel_noise_, map_, steps_, refinement, parameters_.threads, pixel_labels_);
 }
 
 FitSamples InverseDepthPipeline::fitSamples() const {

@@ -16,6 +16,7 @@
 #include "inverse_depth/evidence.h"
 #include "inverse_depth/full_resolution.h"
 #include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/known_regions.h"
 #include "inverse_depth/region_contacts.h"
 #include "inverse_depth/region_map.h"
 #include "inverse_depth/region_merging.h"
@@ -36,6 +37,8 @@ class InverseDepthPipeline {
   /// Takes an image that was read; it must outlive the frame's steps. S1 to S9 work on a grid of its samples, or on the
   /// image itself, which is then weighed by the sensor model; or on the blocks of a frame of scattered pixels.
   void begin(InverseDepthImage& image, ScatteredPixels* scattered = nullptr);
+  /// Labels what the planes of an earlier frame explain; S1 to S3 see only the rest.
+  void continueKnown(const KnownPlanes& known, Continuation& continuation);
   void growLines();         ///< S1
   void growPlanes();        ///< S2
   void joinDirections();    ///< S3
@@ -55,6 +58,8 @@ class InverseDepthPipeline {
     return steps_.isEveryPixel() ? nullptr : full_resolution_.pixelCounts().data() + 1;
   }
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
+  /// Per region: the known plane that it continues, or -1.
+  const std::vector<int>& knownPlanes() const { return map_.known_plane; }
   /// How likely each of them is a surface.
   const double* confidence() const { return map_.confidence.data(); }
   /// The line segments of S1, columns first. `frame` is the one that was read, `labels` the final ones, in the order of
@@ -72,7 +77,11 @@ class InverseDepthPipeline {
   SensorModel grid_sensor_;
   InverseDepthImage samples_;
   const InverseDepthImage* full_image_ = nullptr;
-  const InverseDepthImage* image_ = nullptr;     // that of S1 to S9
+  InverseDepthImage* image_ = nullptr;  // that of the steps
+  KnownRegions known_;
+  Continuation* continuation_ = nullptr;  // of known planes, if there are any
+  RegionMap rest_map_;
+  bool searches_ = true;                         // for planes that are not known
   std::array<DirectionalPlanes, 2> directions_;  // by columns, by rows
   std::vector<StripMemory> strip_memory_;        // per thread
   DirectionJoining joining_;

@@ -31,6 +31,11 @@ struct RegionMap {
   std::vector<std::int32_t> labels;
   std::vector<PlaneMoments> regions;
   std::vector<double> confidence;  ///< per region, of S9
+  /// The first so many regions are of planes known before (KnownRegions), some of them empty: they do not join each
+  /// other and are not rejected.
+  int known = 0;
+  std::vector<std::uint8_t> doubtful;  ///< per known region after S7: it would have been rejected
+  std::vector<int> known_plane;        ///< per region after S9: the known plane that it continues, or -1
   MomentMoves moves;
   std::vector<RaySums> sums;  ///< memory of accumulate(), band by band
 

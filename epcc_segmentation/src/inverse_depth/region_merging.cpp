@@ -34,6 +34,8 @@ void RegionMerger::merge(RegionContacts& contacts, const InverseDepthParameters&
   parameters_ = parameters.expert.merging;
   region_tolerance_ = parameters.region_tolerance;
   pixels_per_sample_ = sensor.pixelsPerSample();
+  known_ = map.known;
+  alike_known_.clear();
   contacts_ = &contacts;
   begin(map);
   linkContacts();
@@ -54,6 +56,7 @@ void RegionMerger::merge(RegionContacts& contacts, const InverseDepthParameters&
     moved = PlaneMoments();
     mergeLabels(a, b);
   }
+  judgeKnown();
   dropSmallRegions(map.regions);
   map.relabel(new_label_, threads);
 }
@@ -144,6 +147,10 @@ bool RegionMerger::judgePlane(const JudgedStep& step, double slope_factor, doubl
   const double allowed = tolerance(a, b, contact(step.contact).count, step2) * slope_factor;
   const double cost = (rss - a.plane.rss - b.plane.rss) / allowed;
   if (!(cost <= 1.0)) return false;
+  if (areKnown(a, b)) {
+    alike_known_.emplace_back(a.label, b.label);
+    return false;
+  }
   Judgement& judgement = judgements_[static_cast<std::size_t>(step.contact)];
   judgement.a = std::min(a.label, b.label);
   judgement.b = std::max(a.label, b.label);
@@ -235,6 +242,26 @@ void RegionMerger::moveContacts(int from, int into, bool judge_moved) {
   }
 }
 
+// As they are after the merge: what joined them is theirs.
+void RegionMerger::judgeKnown() {
+  alike_known_.clear();
+  apart_known_.clear();
+  if (known_ == 0) return;
+  to_judge_.clear();
+  for (int number = 0; number < static_cast<int>(judgements_.size()); ++number)
+    if (contact(number).count >= parameters_.min_contacts &&
+        areKnown(node(nodeAt(2 * number)), node(nodeAt(2 * number + 1))))
+      to_judge_.push_back(number);
+  judgeListed();
+  for (const int number : to_judge_) {
+    const RegionPair pair(node(nodeAt(2 * number)).label, node(nodeAt(2 * number + 1)).label);
+    const bool is_alike = std::any_of(alike_known_.begin(), alike_known_.end(), [&pair](const RegionPair& other) {
+      return other.low == pair.low && other.high == pair.high;
+    });
+    if (!is_alike) apart_known_.push_back(pair);
+  }
+}
+
 /// Empties the small regions and finds the final labels. Of regions that were empty there are no pixels to relabel.
 void RegionMerger::dropSmallRegions(std::vector<PlaneMoments>& regions) {
   const double fewest_pixels = parameters_.min_samples * pixels_per_sample_;
@@ -243,7 +270,7 @@ void RegionMerger::dropSmallRegions(std::vector<PlaneMoments>& regions) {
     std::int32_t& label = new_label_[k];
     label = label == static_cast<std::int32_t>(k) ? label : new_label_[static_cast<std::size_t>(label)];
     PlaneMoments& region = regions[k - 1];
-    if (region.n > 0.0 && region.n < fewest_pixels) {
+    if (region.n > 0.0 && region.n<fewest_pixels&& static_cast<std::int32_t>(k)> known_) {
       region = PlaneMoments();
       label = 0;
     }

@@ -22,6 +22,9 @@ class RegionMerger {
   /// independent samples. Labels and moments of `map` are updated; the contacts are used up.
   void merge(RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
              RegionMap& map, int threads = 1);
+  /// Of the last merge: pairs of known regions in contact that are one surface by its rule, and those that are two.
+  const std::vector<RegionPair>& alikeKnown() const { return alike_known_; }
+  const std::vector<RegionPair>& apartKnown() const { return apart_known_; }
 
  private:
   /// A region, or what became of some. Which of two nodes takes the other in is a question of their contacts, not of
@@ -52,12 +55,14 @@ class RegionMerger {
   void link(int end, int node);
   void judgeListed();
   bool judgeStep(int number);
+  bool areKnown(const Node& a, const Node& b) const { return a.label <= known_ && b.label <= known_; }
   bool judgePlane(const JudgedStep& step, double slope_factor, double rss);
   void listContacts(Node& node);
   bool isFresh(const Judgement& judgement);
   void mergeLabels(std::int32_t a, std::int32_t b);
   void moveContacts(int from, int into, bool judge_moved);
   double tolerance(const Node& a, const Node& b, int places, double step2) const;
+  void judgeKnown();
   void dropSmallRegions(std::vector<PlaneMoments>& regions);
 
   Contact& contact(int number) { return contacts_->contacts[static_cast<std::size_t>(number)]; }
@@ -70,6 +75,8 @@ class RegionMerger {
   InverseDepthParameters::Merging parameters_;
   double region_tolerance_ = 0.0;
   double pixels_per_sample_ = 1.0;
+  std::int32_t known_ = 0;  ///< the first so many labels do not join each other
+  std::vector<RegionPair> alike_known_, apart_known_;
   RegionContacts* contacts_ = nullptr;  ///< numbered; one that went up in another has no places left
   std::vector<Node> nodes_;             ///< first one per label; 0 is none
   std::vector<int> node_of_, version_;  ///< per label

@@ -99,8 +99,9 @@ void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& pa
   for (std::size_t k = 0; k < map.regions.size(); ++k) {
     const PlaneMoments& region = map.regions[k];
     if (!(region.n > 0.0)) continue;
-    const double sure = confidenceOf(region, border[k + 1]);
-    if (sure >= parameters.min_confidence) memory.kept.push_back({region, k, sure});
+    const bool is_known = static_cast<int>(k) < map.known;
+    const double sure = is_known && map.doubtful[k] != 0 ? 0.0 : confidenceOf(region, border[k + 1]);
+    if (is_known || sure >= parameters.min_confidence) memory.kept.push_back({region, k, sure});
   }
   std::sort(memory.kept.begin(), memory.kept.end(), [](const auto& a, const auto& b) {
     return a.region.n != b.region.n ? a.region.n > b.region.n : a.index < b.index;
@@ -108,9 +109,11 @@ void rejectThin(const InverseDepthImage& image, const InverseDepthParameters& pa
   memory.new_label.assign(map.regions.size() + 1, 0);
   map.regions.clear();
   map.confidence.clear();
+  map.known_plane.clear();
   for (const ThicknessMemory::Kept& kept : memory.kept) {
     map.regions.push_back(kept.region);
     map.confidence.push_back(kept.confidence);
+    map.known_plane.push_back(static_cast<int>(kept.index) < map.known ? static_cast<int>(kept.index) : -1);
     memory.new_label[kept.index + 1] = static_cast<std::int32_t>(map.regions.size());
   }
   map.relabel(memory.new_label, threads);

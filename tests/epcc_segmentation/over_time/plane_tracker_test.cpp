@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A camera that moves through a corner of a room: labels last, poses are found, nonsense is refused.
+#include "epcc_segmentation/plane_tracker.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "over_time/plane_motion.h"
+#include "tests/support/rendered_room.h"
+
+namespace epcc {
+namespace {
+
+const SensorModel kSensor = SensorModel::axial(0.0005, 0.001, 0.0);
+
+/// Along a gentle curve, looking about.
+Eigen::Isometry3d cameraAt(int frame) {
+  const double t = 0.05 * frame;
+  Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
+  camera.linear() = (Eigen::AngleAxisd(0.15 * std::sin(t), Eigen::Vector3d::UnitY()) *
+                     Eigen::AngleAxisd(0.08 * std::sin(0.7 * t), Eigen::Vector3d::UnitX()))
+                        .toRotationMatrix();
+  camera.translation() << 0.2 * std::sin(0.9 * t), 0.05 * std::sin(1.3 * t), 0.15 * (1.0 - std::cos(t));
+  return camera;
+}
+
+/// What the camera sees of the corner of a room, with error.
+test::RenderedRoom roomFrom(const Eigen::Isometry3d& camera, unsigned seed) {
+  std::vector<Eigen::Vector4d> planes;
+  for (const Eigen::Vector4d& plane : test::cornerPlanes()) planes.push_back(planeSeenFrom(camera, plane));
+  test::RenderedRoom room = test::renderRoom(planes, test::testCamera());
+  test::addNoise(room, kSensor, seed);
+  return room;
+}
+
+/// Which labels each true surface had over the frames, with so many pixels.
+using LabelsOfSurfaces = std::map<std::int32_t, std::set<std::int32_t>>;
+
+void noteLabels(const test::RenderedRoom& room, const TrackedFrame& tracked, LabelsOfSurfaces& labels) {
+  std::map<std::pair<std::int32_t, std::int32_t>, int> counts;
+  for (std::size_t i = 0; i < room.labels.size(); ++i)
+    if (tracked.labels[i] > 0) ++counts[{room.labels[i], tracked.labels[i]}];
+  for (const auto& [pair, count] : counts)
+    if (count > 200) labels[pair.first].insert(pair.second);
+}
+
+TEST(PlaneTracker, EachSurfaceHasOneLabelForLife) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame tracked;
+  LabelsOfSurfaces labels;
+  for (int k = 0; k < 60; ++k) {
+    const test::RenderedRoom room = roomFrom(cameraAt(k), static_cast<unsigned>(k));
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(k)), k / 30.0, tracked)) << tracker.error();
+    ASSERT_EQ(tracked.labels.size(), room.labels.size());
+    if (k < 2) {
+      EXPECT_EQ(std::count(tracked.labels.begin(), tracked.labels.end(), 0),
+                static_cast<std::ptrdiff_t>(tracked.labels.size()))
+          << "no label before the third frame";
+    }
+    noteLabels(room, tracked, labels);
+  }
+  ASSERT_EQ(labels.size(), test::cornerPlanes().size());
+  std::set<std::int32_t> all;
+  for (const auto& [surface, numbers] : labels) {
+    EXPECT_EQ(numbers.size(), 1u) << surface;
+    all.insert(numbers.begin(), numbers.end());
+  }
+  EXPECT_EQ(all.size(), labels.size());
+  const std::vector<PlaneTrack> tracks = tracker.tracks();
+  ASSERT_EQ(tracks.size(), labels.size());
+  for (const PlaneTrack& track : tracks) {
+    EXPECT_EQ(track.end, TrackEnd::None);
+    EXPECT_EQ(track.last_frame, 59);
+    double nearest = 1e9;  // of the room's planes, by coefficients
+    for (const Eigen::Vector4d& plane : test::cornerPlanes())
+      nearest = std::min(nearest, (Eigen::Vector4d(track.plane.coefficients) - plane / plane.head<3>().norm()).norm());
+    EXPECT_LT(nearest, 0.005);
+  }
+}
+
+TEST(PlaneTracker, WithoutPosesTheCameraIsFoundByThePlanes) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame tracked;
+  LabelsOfSurfaces labels;
+  for (int k = 0; k < 60; ++k) {
+    const test::RenderedRoom room = roomFrom(cameraAt(k), static_cast<unsigned>(k));
+    const std::optional<Isometry3> pose = k == 0 ? std::optional<Isometry3>(cameraAt(0)) : std::nullopt;
+    ASSERT_TRUE(tracker.track(room.frame(), pose, k / 30.0, tracked)) << tracker.error();
+    const Eigen::Isometry3d error = cameraAt(k).inverse() * Eigen::Isometry3d(tracked.pose.camera_to_map);
+    ASSERT_LT(error.translation().norm(), 0.01) << k;
+    ASSERT_LT(Eigen::AngleAxisd(error.linear()).angle(), 0.005) << k;
+    noteLabels(room, tracked, labels);
+  }
+  for (const auto& [surface, numbers] : labels) EXPECT_EQ(numbers.size(), 1u) << surface;
+}
+
+TEST(PlaneTracker, APlaneThatComesBackHasItsLabel) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame tracked;
+  LabelsOfSurfaces labels;
+  for (int k = 0; k < 40; ++k) {  // away to the side for ten frames
+    Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
+    const double turn = k < 10 ? 0.0 : k < 20 ? 0.12 * (k - 10) : k < 30 ? 0.12 * (30 - k) : 0.0;
+    camera.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    const test::RenderedRoom room = roomFrom(camera, static_cast<unsigned>(k));
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(camera), k / 30.0, tracked)) << tracker.error();
+    noteLabels(room, tracked, labels);
+  }
+  for (const auto& [surface, numbers] : labels) EXPECT_EQ(numbers.size(), 1u) << surface;
+}
+
+TEST(PlaneTracker, TheSameFramesGiveTheSameLabels) {
+  std::vector<std::int32_t> first;
+  for (int run = 0; run < 2; ++run) {
+    PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+    TrackedFrame tracked;
+    for (int k = 0; k < 12; ++k)
+      ASSERT_TRUE(tracker.track(roomFrom(cameraAt(k), static_cast<unsigned>(k)).frame(), Isometry3(cameraAt(k)),
+                                k / 30.0, tracked));
+    if (run == 0) first = tracked.labels;
+    EXPECT_EQ(tracked.labels, first);
+  }
+}
+
+TEST(PlaneTracker, NonsenseIsRefusedAndTheNextFrameIsTaken) {
+  const test::RenderedRoom room = roomFrom(cameraAt(0), 1);
+  TrackedFrame tracked;
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  Isometry3 pose = Isometry3::Identity();
+  pose(0, 3) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(tracker.track(room.frame(), pose, 0.0, tracked));
+  EXPECT_EQ(tracker.error(), "the pose holds a number that is not finite");
+  pose = Isometry3::Identity();
+  pose(0, 0) = 2.0;
+  EXPECT_FALSE(tracker.track(room.frame(), pose, 0.0, tracked));
+  EXPECT_EQ(tracker.error(), "the pose has no rotation");
+  EXPECT_FALSE(tracker.track(room.frame(), std::nullopt, std::numeric_limits<double>::infinity(), tracked));
+  EXPECT_EQ(tracker.error(), "the time is not finite");
+  EXPECT_FALSE(tracker.track(DepthFrame::fromDepth(static_cast<const float*>(nullptr), test::testCamera()),
+                             std::nullopt, 0.0, tracked));
+  EXPECT_FALSE(tracker.error().empty());
+  EXPECT_TRUE(tracker.track(room.frame(), std::nullopt, 0.0, tracked));
+  EXPECT_TRUE(tracker.error().empty());
+
+  TrackerParameters wrong;
+  wrong.confirm_frames = 0;
+  PlaneTracker refused(wrong, Parameters(), kSensor);
+  EXPECT_FALSE(refused.track(room.frame(), std::nullopt, 0.0, tracked));
+  EXPECT_EQ(refused.error(), "confirm_frames must be from 1 to 1000 frames");
+  wrong = TrackerParameters();
+  wrong.pose_offset_sigma = -1.0;
+  EXPECT_EQ(wrong.validate(), "pose_offset_sigma must be above 0 and at most 10 m");
+}
+
+TEST(PlaneTracker, AnEmptyFrameBetweenOthersLosesNothing) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame tracked;
+  LabelsOfSurfaces labels;
+  for (int k = 0; k < 20; ++k) {
+    test::RenderedRoom room = roomFrom(cameraAt(0), static_cast<unsigned>(k));
+    if (k == 10) std::fill(room.depth.begin(), room.depth.end(), 0.0f);
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), k / 30.0, tracked)) << tracker.error();
+    noteLabels(room, tracked, labels);
+  }
+  for (const auto& [surface, numbers] : labels) EXPECT_EQ(numbers.size(), 1u) << surface;
+}
+
+}  // namespace
+}  // namespace epcc
