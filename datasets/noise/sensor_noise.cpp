@@ -13,12 +13,12 @@ namespace {
 constexpr std::uint64_t kWhiteStream = 100;
 constexpr double kRegisteredScale = 1.6;  // focal lengths of a D4xx's colour and depth images at 640 px: 617 / 383
 
-void addWhiteNoise(DepthImage& depth, const SensorModel& sensor, std::uint64_t seed) {
+void addWhiteNoise(DepthImage& depth, const SensorModel& sensor, double scale, std::uint64_t seed) {
   SceneRandom random(seed, kWhiteStream);
   for (float& z : depth.data) {
     const double error = random.normal();  // drawn for invalid pixels too: a hole changes no other pixel
     if (!(z > 0.0F)) continue;
-    const double noisy = static_cast<double>(z) + sensor.sigmaZ(static_cast<double>(z)) * error;
+    const double noisy = static_cast<double>(z) + scale * sensor.sigmaZ(static_cast<double>(z)) * error;
     z = noisy > 0.0 ? static_cast<float>(noisy) : 0.0F;
   }
 }
@@ -52,9 +52,12 @@ std::optional<NoiseOptions> parseNoise(const std::string& text, std::string* why
 
 void applyNoise(LabelledFrame& frame, const NoiseOptions& options, std::uint64_t seed) {
   seed ^= textHash(frame.name);  // two scenes of one seed do not share their blotches and holes
-  if (options.kind == NoiseKind::White) addWhiteNoise(frame.depth, options.sensor, seed);
+  if (options.kind == NoiseKind::White) addWhiteNoise(frame.depth, options.sensor, options.scale, seed);
   if (options.kind == NoiseKind::Stereo) {
-    frame.depth = stereoDepth(frame.depth, frame.camera.camera, options.stereo, seed);
+    StereoNoise stereo = options.stereo;
+    stereo.sigma_w *= options.scale;
+    stereo.sigma_floor *= options.scale;
+    frame.depth = stereoDepth(frame.depth, frame.camera.camera, stereo, seed);
     frame.camera.depth_scale = 0.001;
   }
   frame.camera.noise = options.preset;

@@ -22,6 +22,7 @@ struct NoiseOptions {
   NoiseKind kind = NoiseKind::None;
   SensorModel sensor = *SensorModel::preset("d435i");  ///< White
   StereoNoise stereo;                                  ///< Stereo
+  double scale = 1.0;  ///< of the error's size: below 1 where the rest of it is drawn elsewhere, see LastingError
   std::string preset = "rendered";  ///< sensor model that a segmenter should be told, written into the frame
 };
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "datasets/rendered/scene_catalogue.h"
+#include "datasets/rendered/scene_frame.h"
 #include "datasets/rendered/scene_renderer.h"
 
 namespace epcc {
@@ -76,15 +77,6 @@ bool showsEverything(const Scene& scene, const SceneRecipe& recipe) {
   return std::all_of(view.depth.data.begin(), view.depth.data.end(), [](float z) { return z > 0.0F; });
 }
 
-Scene arrangement(const SceneRecipe& recipe, std::uint64_t seed) {
-  SceneRandom random(seed, kSceneStream);
-  for (int i = 0; i < kArrangements; ++i) {
-    Scene scene = recipe.build(random);
-    if (showsEverything(scene, recipe)) return scene;
-  }
-  throw std::runtime_error("scene '" + recipe.name + "': no arrangement shows all surfaces");
-}
-
 LabelImage labelsOf(const SceneView& view, const std::vector<int>& counts, double min_pixels) {
   LabelImage labels(view.surface.width, view.surface.height);
   for (std::size_t i = 0; i < labels.data.size(); ++i) {
@@ -138,13 +130,18 @@ int sceneSurfaces(const std::string& name) {
   return 0;
 }
 
-LabelledFrame renderScene(const std::string& name, std::uint64_t seed, const SceneOptions& options) {
+Scene sceneArrangement(const std::string& name, std::uint64_t seed) {
   const SceneRecipe& recipe = recipeOf(name);
-  const std::string problem = options.camera.validate();
-  if (!problem.empty()) throw std::invalid_argument(problem);
+  SceneRandom random(seed, kSceneStream);
+  for (int i = 0; i < kArrangements; ++i) {
+    Scene scene = recipe.build(random);
+    if (showsEverything(scene, recipe)) return scene;
+  }
+  throw std::runtime_error("scene '" + recipe.name + "': no arrangement shows all surfaces");
+}
 
-  const Scene scene = arrangement(recipe, seed);
-  const SceneView view = renderView(scene, options.camera);
+LabelledFrame sceneFrame(const std::string& name, std::uint64_t seed, const Scene& scene, const SceneView& view,
+                         const SceneOptions& options) {
   const std::vector<int> counts = pixelCounts(view);
   const double area = static_cast<double>(options.camera.width) * options.camera.height / (480.0 * 270.0);
   const double min_pixels = std::max(1.0, options.min_surface_pixels * area);
@@ -155,11 +152,19 @@ LabelledFrame renderScene(const std::string& name, std::uint64_t seed, const Sce
   frame.camera.depth_scale = kDepthUnit;
   frame.camera.name = frame.name;
   frame.camera.noise = "rendered";
-  frame.camera.extra = {{"scene", recipe.title}, {"seed", seed}};
+  frame.camera.extra = {{"scene", recipeOf(name).title}, {"seed", seed}};
   frame.camera.extra["planes"] = planesJson(scene, view, counts, min_pixels);
   frame.depth = view.depth;
   frame.labels = labelsOf(view, counts, min_pixels);
   return frame;
+}
+
+LabelledFrame renderScene(const std::string& name, std::uint64_t seed, const SceneOptions& options) {
+  recipeOf(name);
+  const std::string problem = options.camera.validate();
+  if (!problem.empty()) throw std::invalid_argument(problem);
+  const Scene scene = sceneArrangement(name, seed);
+  return sceneFrame(name, seed, scene, renderView(scene, options.camera), options);
 }
 
 }  // namespace epcc

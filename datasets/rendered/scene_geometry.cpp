@@ -66,10 +66,25 @@ void Scene::addQuad(int surface, const Vector3d& a, const Vector3d& b, const Vec
 void Scene::addBox(const std::string& name, const SceneBox& box) {
   for (const BoxFace& face : kFaces) {
     ScenePolygon polygon = facePolygon(box, face);
-    if (!facesPoint(polygon, pose.position)) continue;
-    polygon.surface = addSurface(name + ' ' + face.name);
+    const std::string full_name = name + ' ' + face.name;
+    if (!facesPoint(polygon, pose.position)) {
+      if (face.corners[0][2] + face.corners[2][2] == 0.0) continue;  // it stands on that face
+      turned_away.push_back(std::move(polygon));
+      turned_away_names.push_back(full_name);
+      continue;
+    }
+    polygon.surface = addSurface(full_name);
     polygons.push_back(polygon);
   }
+}
+
+void Scene::showAllSides() {
+  for (std::size_t i = 0; i < turned_away.size(); ++i) {
+    turned_away[i].surface = addSurface(turned_away_names[i]);
+    polygons.push_back(turned_away[i]);
+  }
+  turned_away.clear();
+  turned_away_names.clear();
 }
 
 void Scene::addClutterBox(const SceneBox& box) {

@@ -53,6 +53,9 @@ struct SceneBox {
 struct Scene {
   std::vector<std::string> surfaces;  ///< names; labels are index + 1
   std::vector<ScenePolygon> polygons;
+  /// Faces of boxes that are turned away from `pose`, for other poses: surface and name, see showAllSides().
+  std::vector<ScenePolygon> turned_away;
+  std::vector<std::string> turned_away_names;
   std::vector<SceneCylinder> cylinders;
   std::vector<SceneSphere> spheres;
   CameraPose pose;
@@ -63,6 +66,9 @@ struct Scene {
                const Eigen::Vector3d& d);
   /// A box whose faces are surfaces, but for those turned away from the camera; set the pose before.
   void addBox(const std::string& name, const SceneBox& box);
+  /// Makes the faces that are turned away surfaces, too, numbered behind the others, for a camera that goes round. What
+  /// boxes stand on is no surface.
+  void showAllSides();
   /// A box that counts as clutter.
   void addClutterBox(const SceneBox& box);
   /// A chair of thin boxes and round legs, on the ground at `ground`, turned by `yaw` radians: clutter.

@@ -124,13 +124,11 @@ void drawCylinder(SceneView& view, const PinholeCamera& camera, const Vector3d& 
        [&](const Vector3d& ray) { return cylinderDepth(ray, base, axis, length, radius); });
 }
 
-}  // namespace
-
-SceneView renderView(const Scene& scene, const PinholeCamera& camera) {
+SceneView viewFrom(const Scene& scene, const PinholeCamera& camera, const Eigen::Matrix3d& rotation,
+                   const Vector3d& position) {
   SceneView view{DepthImage(camera.width, camera.height), Image<int>(camera.width, camera.height, kClutter),
                  std::vector<Vector4d>(scene.surfaces.size(), Vector4d::Zero())};
-  const Eigen::Matrix3d rotation = scene.pose.rotation();
-  const auto toCamera = [&](const Vector3d& world) -> Vector3d { return rotation * (world - scene.pose.position); };
+  const auto toCamera = [&](const Vector3d& world) -> Vector3d { return rotation * (world - position); };
   for (const ScenePolygon& polygon : scene.polygons) {
     std::vector<Vector3d> vertices;
     for (const Vector3d& vertex : polygon.vertices) vertices.push_back(toCamera(vertex));
@@ -141,6 +139,16 @@ SceneView renderView(const Scene& scene, const PinholeCamera& camera) {
   for (const SceneCylinder& c : scene.cylinders)
     drawCylinder(view, camera, toCamera(c.base), toCamera(c.top), c.radius);
   return view;
+}
+
+}  // namespace
+
+SceneView renderView(const Scene& scene, const PinholeCamera& camera) {
+  return viewFrom(scene, camera, scene.pose.rotation(), scene.pose.position);
+}
+
+SceneView renderView(const Scene& scene, const PinholeCamera& camera, const Eigen::Isometry3d& camera_to_world) {
+  return viewFrom(scene, camera, camera_to_world.linear().transpose(), camera_to_world.translation());
 }
 
 DepthImage renderPlane(const Vector4d& plane, const PinholeCamera& camera) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "datasets/files/image.h"
@@ -19,6 +20,8 @@ struct SceneView {
 };
 
 SceneView renderView(const Scene& scene, const PinholeCamera& camera);
+/// The same from another place than the scene's own pose.
+SceneView renderView(const Scene& scene, const PinholeCamera& camera, const Eigen::Isometry3d& camera_to_world);
 
 /// Eq. 10: the depth of an unbounded plane (a, b, c, d) in the camera frame, 0 where it is not in front of the camera.
 DepthImage renderPlane(const Eigen::Vector4d& plane, const PinholeCamera& camera);

@@ -10,7 +10,11 @@
 #include <ostream>
 
 #include "datasets/files/image.h"
+#include "datasets/files/text_lines.h"
+#include "datasets/rendered/camera_path.h"
 #include "datasets/support/input_error.h"
+#include "datasets/support/joined.h"
+#include "datasets/support/number_text.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
 
@@ -30,6 +34,9 @@ struct RawOptions {
   std::string noise = "none";
   std::optional<int> width, height;
   std::optional<double> fx, fy, cx, cy;
+  std::string lasting;
+  std::optional<std::size_t> frames;
+  std::optional<double> rate;
 };
 
 bool readNumber(const std::string& text, std::uint64_t& value) {
@@ -88,7 +95,44 @@ std::string setScenes(const RawOptions& raw, SceneCommandOptions& options) {
     options.scenes = {raw.scene};
   else
     return "unknown scene '" + raw.scene + "'; use a, b, c, d or all";
+  if (!options.path.empty() && (options.scenes.size() > 1 || options.last_seed != options.first_seed))
+    return "--path takes one SCENE and one --seed";
   return options.out.empty() ? "--out is required" : "";
+}
+
+// SHARE or SHARE,LENGTH
+std::string setLasting(const std::string& text, SceneCommandOptions& options) {
+  if (text.empty()) return {};
+  const std::vector<std::string_view> fields = fieldsOf(text);
+  const auto share = numberFrom(fields[0]), length = fields.size() == 2 ? numberFrom(fields[1]) : std::nullopt;
+  if (!share || fields.size() > 2 || (fields.size() == 2 && !length))
+    return "--lasting: '" + text + "' is not SHARE or SHARE,LENGTH";
+  options.lasting.share = *share;
+  if (length) options.lasting.length = *length;
+  if (!(*share >= 0.0 && *share <= 1.0)) return "--lasting: the share must be 0 to 1";
+  if (!(options.lasting.length >= 0.001 && options.lasting.length <= 100.0))
+    return "--lasting: the length must be 0.001 to 100 metres";
+  if (options.noise.kind == NoiseKind::None) return "--lasting: there is no error without --noise";
+  return {};
+}
+
+std::string setPath(const RawOptions& raw, SceneCommandOptions& options) {
+  const std::string problem = setLasting(raw.lasting, options);
+  if (!problem.empty()) return problem;
+  if (options.path.empty()) {
+    for (const auto& [given, name] :
+         {std::pair(raw.frames.has_value(), "--frames"), std::pair(raw.rate.has_value(), "--rate"),
+          std::pair(!raw.lasting.empty(), "--lasting")})
+      if (given) return std::string(name) + " needs --path";
+    return {};
+  }
+  options.frames = raw.frames.value_or(0);
+  options.rate = raw.rate.value_or(options.rate);
+  const std::vector<std::string> names = pathNames();
+  const bool is_built_in = std::find(names.begin(), names.end(), options.path) != names.end();
+  if (!is_built_in && options.path.find('.') == std::string::npos && options.path.find('/') == std::string::npos)
+    return "--path: '" + options.path + "' is none of " + joined(names) + ", nor a FILE.txt";
+  return {};
 }
 
 std::string setOptions(const RawOptions& raw, SceneCommandOptions& options) {
@@ -99,6 +143,7 @@ std::string setOptions(const RawOptions& raw, SceneCommandOptions& options) {
   if (!noise) return "--noise: " + why;
   options.noise = *noise;
   problem = setCamera(raw, options);
+  if (problem.empty()) problem = setPath(raw, options);
   if (!problem.empty()) return problem;
   if (!options.measure.empty())
     return raw.scene.empty() ? "" : "--measure-noise takes the place of SCENE, give one of them";
@@ -116,6 +161,19 @@ void addOptions(CLI::App& app, RawOptions& raw, SceneCommandOptions& options) {
                  "none (default) | white:SENSOR | stereo | stereo-registered; SENSOR is a preset, A,B,L or "
                  "poly:K1,K2,K3; stereo-registered is depth warped to a finer colour grid")
       ->type_name("NOISE");
+  app.add_option("--path", options.path,
+                 "a sequence instead of single frames, along a way of the camera: " + joined(pathNames()) +
+                     ", or a trajectory as TUM's, which is moved to begin at the scene's camera; frames get their pose "
+                     "and timestamp, and the folder groundtruth.txt")
+      ->type_name("NAME|FILE.txt");
+  app.add_option("--frames", raw.frames, "of the path (300, or all of FILE.txt)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--rate", raw.rate, "frames a second (30)")->type_name("HZ")->check(CLI::Range(0.01, 10000.0));
+  app.add_option("--lasting", raw.lasting,
+                 "share of the error's variance that stays with the scene instead of being drawn anew for each frame, "
+                 "and how far it reaches, metres (0; 0.1)")
+      ->type_name("SHARE[,LENGTH]");
   app.add_option("--width", raw.width, "pixels (default 480)");
   app.add_option("--height", raw.height, "pixels (default 270)");
   app.add_option("--fx", raw.fx, "focal length, pixels (default: half the width)");

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/noise/lasting_error.h"
 #include "datasets/noise/sensor_noise.h"
 #include "datasets/rendered/scene.h"
 
@@ -20,6 +21,10 @@ struct SceneCommandOptions {
   std::uint64_t last_seed = 0;  ///< included
   NoiseOptions noise;
   SceneOptions scene;
+  std::string path;        ///< of the camera, a built-in one or a file; empty: single frames
+  std::size_t frames = 0;  ///< of the path; 0: all
+  double rate = 30.0;      ///< Hz
+  LastingErrorOptions lasting;
   std::string out;      ///< folder
   std::string measure;  ///< folder of real labelled frames to measure instead of rendering
 };

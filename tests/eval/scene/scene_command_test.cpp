@@ -6,6 +6,8 @@
 
 #include <filesystem>
 
+#include "datasets/files/frame_pose.h"
+#include "datasets/files/trajectory_file.h"
 #include "datasets/rendered/scene.h"
 #include "tests/support/real_frames.h"
 #include "tests/support/run_tool.h"
@@ -72,6 +74,38 @@ TEST_F(SceneCommand, TakesAnotherCamera) {
   EXPECT_EQ(frame.depth.height, 200);
   EXPECT_EQ(frame.camera.camera.fy, 170.0);
   EXPECT_EQ(*frame.camera.noise, "d435i");
+}
+
+TEST_F(SceneCommand, WritesASequence) {
+  outputOf({"a", "--path", "sway", "--frames", "4", "--rate", "10", "--seed", "3", "--width", "96", "--height", "54",
+            "--noise", "white:kinect-v1", "--lasting", "0.5,0.2", "--out", path("f")});
+  ASSERT_EQ(listLabelledFrames(path("f")).size(), 4U);
+  const Trajectory truth = readTrajectory(path("f/groundtruth.txt"));
+  ASSERT_EQ(truth.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const LabelledFrame frame = readLabelledFrame(path("f"), "a_003_sway_00000" + std::to_string(i));
+    EXPECT_TRUE(framePose(frame)->isApprox(truth[i].pose, 1e-8));
+    EXPECT_DOUBLE_EQ(frame.camera.extra["timestamp"].get<double>(), 0.1 * static_cast<double>(i));
+    EXPECT_EQ(*frame.camera.noise, "kinect-v1");
+  }
+  outputOf({"a", "--path", path("f/groundtruth.txt"), "--rate", "10", "--seed", "3", "--width", "96", "--height", "54",
+            "--out", path("g")});
+  const Trajectory again = readTrajectory(path("g/groundtruth.txt"));
+  ASSERT_EQ(again.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(again[i].pose.isApprox(truth[i].pose, 1e-6)) << i;
+}
+
+TEST_F(SceneCommand, RefusesWrongPaths) {
+  const std::string out = path("none");
+  expectFailure({"a", "--path", "fly", "--out", out}, 2, "fly");
+  expectFailure({"all", "--path", "sway", "--out", out}, 2, "--path");
+  expectFailure({"a", "--path", "sway", "--count", "2", "--out", out}, 2, "--path");
+  expectFailure({"a", "--frames", "3", "--out", out}, 2, "--frames needs --path");
+  expectFailure({"a", "--path", "sway", "--frames", "0", "--out", out}, 2, "--frames");
+  expectFailure({"a", "--path", "sway", "--lasting", "0.5", "--out", out}, 2, "--noise");
+  expectFailure({"a", "--path", "sway", "--noise", "stereo", "--lasting", "2", "--out", out}, 2, "--lasting");
+  expectFailure({"a", "--path", path("missing.txt"), "--out", out}, 3, "missing.txt");
+  EXPECT_FALSE(fs::exists(out));
 }
 
 TEST_F(SceneCommand, RefusesWrongCommandLines) {
