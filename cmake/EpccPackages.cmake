@@ -114,9 +114,10 @@ if(EPCC_BUILD_TOOLS)
             "sensor and parameters be changed by keys." DEPENDS ${core_library} ${geometry_library})
   endif()
   epcc_package(tools BINARY NAME epcc-tools SECTION science SUMMARY "programs for planes of depth images and clouds"
-    HOLDS "This package holds epcc_segment (planes of frames and folders), epcc_eval"
-          "(methods scored on labelled frames), epcc_noise (the noise of a sensor),"
-          "epcc_lines (lines of laser scans), epcc_scene and epcc_compare."
+    HOLDS "This package holds epcc_segment (planes of frames and folders), epcc_track"
+          "(planes over time), epcc_eval (methods scored on labelled frames),"
+          "epcc_noise (the noise of a sensor), epcc_lines (lines of laser scans),"
+          "epcc_scene and epcc_compare."
     DEPENDS ${core_library} ${geometry_library} RECOMMENDS ${viewer} SUGGESTS libepcc-core-dev python3-epcc)
 endif()
 

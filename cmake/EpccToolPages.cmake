@@ -15,7 +15,7 @@ function(epcc_install_tool_pages component)
 
   set(writer ${PROJECT_SOURCE_DIR}/scripts/tool_pages)
   file(GLOB sources CONFIGURE_DEPENDS ${writer}/*.py ${writer}/*.in)
-  set(see_also epcc_compare epcc_eval epcc_lines epcc_noise epcc_scene epcc_segment epcc_view)
+  set(see_also epcc_compare epcc_eval epcc_lines epcc_noise epcc_scene epcc_segment epcc_track epcc_view)
   set(man_pages "")
   set(completions "")
   foreach(tool ${ARGN})

@@ -111,6 +111,13 @@ case $name in
     offers_only "--scenes a,b,d" a,b,d
     offers_only "s" study
     ;;
+  epcc_track)
+    offers "--pose" --poses --pose-free --pose-sigma
+    offers "--noise " auto realsense kinect-v1
+    offers "--set inverse_depth.min_con" inverse_depth.min_confidence=
+    offers_only "--out " frames other
+    offers "" frames
+    ;;
   epcc_noise) offers "--camera " a.json ;;
   epcc_lines) offers_only "--noise " auto ;;
   *) fail "has no cases here" ;;

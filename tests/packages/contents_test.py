@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 LIBRARIES = {"core": "libepcc-core", "geometry": "libepcc-geometry", "segmentation": "libepcc-segmentation"}
-TOOLS = ("compare", "eval", "lines", "noise", "scene", "segment")
+TOOLS = ("compare", "eval", "lines", "noise", "scene", "segment", "track")
 ARGUMENTS = argparse.Namespace()
 
 

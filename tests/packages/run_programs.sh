@@ -16,7 +16,7 @@ expect() { # expect WHAT COMMAND...: fails with a line that says what did not wo
   fi
 }
 
-for program in epcc_compare epcc_eval epcc_lines epcc_noise epcc_scene epcc_segment epcc_view; do
+for program in epcc_compare epcc_eval epcc_lines epcc_noise epcc_scene epcc_segment epcc_track epcc_view; do
   expect "$program --version" "$program" --version
   grep -qE "^$program [0-9]+\.[0-9]+\.[0-9]+$" log
   expect "$program has a page" test -s "/usr/share/man/man1/$program.1.gz"
@@ -31,6 +31,9 @@ for file in labels.png planes.json overlay.png cloud.pcd mesh.ply polygons.json;
 expect "planes of a cloud" epcc_segment cloud.pcd --planes cloud_planes.json
 expect "scores of every method" epcc_eval scenes --out scores
 grep -q '"method": *"omps"' scores/summary.json
+expect "a sequence" epcc_scene a --path sway --frames 5 --noise stereo --out sequence
+expect "planes over time" epcc_track sequence --out run
+for file in tracks.json trajectory.txt map.png map.ply times.csv; do test -s "run/$file"; done
 expect "noise" epcc_noise scenes --out sensor
 expect "comparison" epcc_compare --scenes a --seeds 1 --slow-seeds 1 --out comparison
 python3 - >scans.csv <<'SCANS'

@@ -15,8 +15,8 @@ namespace epcc {
 /// A camera in a map. An error of the pose is a turn and a shift in the camera's own frame (x right, y down, z
 /// forward): true pose = camera_to_map * (turn by ω rad, then shift by v m), (ω, v) of this covariance.
 struct UncertainPose {
-  Isometry3 camera_to_map = Isometry3::Identity();
-  Matrix6 covariance = Matrix6::Zero();
+  Isometry3 camera_to_map = Isometry3::Identity();  ///< carries points of the camera's frame into the map, metres
+  Matrix6 covariance = Matrix6::Zero();             ///< of (ω, v), rad^2, rad m and m^2
 };
 
 /// A plane of a map.
@@ -31,10 +31,11 @@ struct MapPlane {
 struct KnownView {
   /// Row-major, of all pixels or of a grid that covers the frame; 0 none.
   std::shared_ptr<const std::vector<std::int32_t>> labels;
-  int width = 0, height = 0;  ///< of labels
+  int width = 0;   ///< of labels
+  int height = 0;  ///< of labels
   /// By label: 0 none, k the plane KnownPlanes::planes[k - 1].
   std::vector<std::int32_t> plane_of_label;
-  Isometry3 camera_to_map = Isometry3::Identity();
+  Isometry3 camera_to_map = Isometry3::Identity();  ///< where it was seen from
 };
 
 /// Planes of a map for PlaneExtractor::extract(). A pixel of the new frame is carried into the earlier ones, and what
@@ -42,7 +43,7 @@ struct KnownView {
 /// explains is segmented anew. Known planes do not merge with each other and are not rejected: what they are was
 /// decided when they were found.
 struct KnownPlanes {
-  std::vector<MapPlane> planes;
+  std::vector<MapPlane> planes;  ///< in the map; more than are in sight do no harm
   /// Earlier frames; what the first one says goes before what the next ones say.
   std::vector<KnownView> views;
   UncertainPose pose;  ///< the new camera, as expected
@@ -56,8 +57,10 @@ struct KnownPlanes {
 struct Continuation {
   /// Per plane of the segmentation: the known plane that it continues, by its place in KnownPlanes, or -1.
   std::vector<std::int32_t> continues;
-  /// Pairs of known planes that touch in this frame: as they lie here they are one surface, or two.
-  std::vector<std::pair<std::int32_t, std::int32_t>> alike, apart;
+  /// Pairs of known planes that touch in this frame and, as they lie here, are one surface.
+  std::vector<std::pair<std::int32_t, std::int32_t>> alike;
+  /// Those that are two.
+  std::vector<std::pair<std::int32_t, std::int32_t>> apart;
   /// The camera by its expected pose and the planes together.
   UncertainPose pose;
   /// What the planes alone say of the pose, the inverse of a covariance; singular where they leave a direction open.
@@ -65,8 +68,9 @@ struct Continuation {
   /// Per known plane: squared error of what is seen from what was expected, after the pose was found, in units of its
   /// covariance (3 on average); -1 if too little was seen.
   std::vector<double> squared_error;
-  /// Samples that are measured, that the first view labelled, and all views together.
-  std::size_t samples = 0, from_first_view = 0, from_views = 0;
+  std::size_t samples = 0;          ///< that are measured
+  std::size_t from_first_view = 0;  ///< of them, those that the first view labelled
+  std::size_t from_views = 0;       ///< those that all views together labelled
 };
 
 }  // namespace epcc

@@ -51,16 +51,16 @@ enum class TrackEnd {
 struct PlaneTrack {
   /// From 1, for life; 0 before it is confirmed.
   std::int32_t label = 0;
-  MapPlane plane;
+  MapPlane plane;                      ///< where it is, by the last frames most of all
   Vector3 centroid = Vector3::Zero();  ///< of what was seen of it, mean over its pixels, map
   long first_frame = 0;                ///< frames are counted from 0
   long last_frame = 0;                 ///< the last one that it was seen in
   double first_time = 0.0;             ///< s, as given
-  double last_time = 0.0;
-  long frames = 0;          ///< that it was seen in
-  double confidence = 0.0;  ///< of a surface, 0 to 1, mean over its pixels
-  TrackEnd end = TrackEnd::None;
-  std::int32_t merged_into = 0;  ///< label of the other
+  double last_time = 0.0;              ///< s, of last_frame
+  long frames = 0;                     ///< that it was seen in
+  double confidence = 0.0;             ///< of a surface, 0 to 1, mean over its pixels
+  TrackEnd end = TrackEnd::None;       ///< why it is no more
+  std::int32_t merged_into = 0;        ///< label of the other
 };
 
 /// What a frame is, seen from the map.

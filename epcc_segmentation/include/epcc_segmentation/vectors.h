@@ -24,7 +24,9 @@ using Matrix2 = Eigen::Matrix<double, 2, 2, Eigen::DontAlign>;
 using Matrix3 = Eigen::Matrix<double, 3, 3, Eigen::DontAlign>;
 /// The covariance of a plane's coefficients; converts to and from Eigen::Matrix4d.
 using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
+/// A turn by ω, rad, and a shift by v, m; converts to and from Eigen::Matrix<double, 6, 1>.
 using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
+/// The covariance of one, or the inverse of that.
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 /// Turns and shifts.
 using Isometry3 = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Read, track, write, sum up.
+#include "eval/track/track_run.h"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <set>
+
+#include "datasets/support/atomic_file.h"
+#include "datasets/support/input_error.h"
+#include "eval/program/command_line.h"
+#include "eval/program/frame_sensor.h"
+#include "eval/program/progress_line.h"
+#include "eval/report/table.h"
+#include "eval/track/track_files.h"
+
+namespace epcc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Milliseconds since `start`, which then starts anew.
+double lapMs(Clock::time_point& start) {
+  const Clock::time_point now = Clock::now();
+  const double ms = 1e3 * std::chrono::duration<double>(now - start).count();
+  start = now;
+  return ms;
+}
+
+const std::vector<std::string> kTimeColumns = {"frame",     "name",     "time_s",    "track_ms",   "read_ms",
+                                               "sensor_ms", "lines_ms", "planes_ms", "regions_ms", "result_ms",
+                                               "load_ms",   "map_ms",   "write_ms",  "planes",     "labels"};
+
+constexpr double kFarthest = 1e4;  // m from the start
+constexpr double kRotationTolerance = 1e-6;
+
+bool isSomewhere(const Isometry3& pose) {
+  const Eigen::Matrix3d turn = pose.linear();
+  return pose.matrix().allFinite() && pose.translation().norm() < kFarthest &&
+         (turn * turn.transpose()).isIdentity(kRotationTolerance);
+}
+
+/// Nothing can be told of later frames.
+class LostCamera : public InputError {
+  using InputError::InputError;
+};
+
+class TrackRun {
+ public:
+  TrackRun(const TrackOptions& options, const TrackInput& input, std::ostream& times)
+      : options_(options), input_(input), times_(times), map_(options.cell) {
+    times_ << csvLine(kTimeColumns);
+  }
+
+  void take(std::size_t i) {
+    Clock::time_point start = Clock::now();
+    const SequenceFrame read = input_.read(i);
+    const double load_ms = lapMs(start);
+    if (!result.trajectory.empty() && read.time <= result.trajectory.back().time)
+      throw InputError(read.frame.name, "time", "is not later than that of the frame before");
+    if (!tracker_ && !options_.poses.empty() && !options_.pose_free && !read.pose) {
+      ++result.without_start;
+      return;
+    }
+    if (!tracker_) start_with(read);
+    start = Clock::now();
+    std::optional<Isometry3> told;
+    if (read.pose && (!options_.pose_free || result.names.empty())) told = Isometry3(*read.pose);
+    if (!tracker_->track(frameView(read.frame), told, read.time, tracked_))
+      throw InputError(read.frame.name, "frame", tracker_->error());
+    const double track_ms = lapMs(start);
+    if (!isSomewhere(tracked_.pose.camera_to_map))
+      throw LostCamera(read.frame.name, "pose",
+                       "the camera was lost here; this frame and those behind it are left out");
+    map_.add(read.frame, tracked_);
+    const double map_ms = lapMs(start);
+    writeLastingLabels((std::filesystem::path(options_.out) / (read.frame.name + "_labels.png")).string(),
+                       read.frame.depth.width, read.frame.depth.height, tracked_.labels);
+    remember(read, i, track_ms);
+    const double write_ms = lapMs(start);
+    writeTimes(read, track_ms, load_ms, map_ms, write_ms);
+    if (result.measures) result.measures->add(read, tracked_, tracker_->tracks());
+  }
+
+  void finish() {
+    if (!tracker_) return;
+    result.tracks = map_.tracks(tracker_->tracks());
+    result.error_scale = tracker_->errorScale();
+  }
+
+  TrackResult result;
+
+ private:
+  /// The sensor model that the first frame is given is that of all.
+  void start_with(const SequenceFrame& read) {
+    const FrameSensor sensor =
+        frameSensor(options_.noise, read.frame.camera.noise, frameView(read.frame), read.frame.name + ".json");
+    std::optional<SensorModel> model;
+    if (!sensor.is_measured) model = sensor.model;
+    result.sensor = sensor.is_measured ? "auto" : sensor.name;
+    tracker_.emplace(options_.tracker, options_.parameters, model);
+    if (options_.measure) result.measures = std::make_unique<TrackMeasures>(options_, model);
+  }
+
+  void remember(const SequenceFrame& read, std::size_t i, double track_ms) {
+    result.names.push_back(read.frame.name);
+    result.places.push_back(i);
+    result.trajectory.push_back({read.time, Eigen::Isometry3d(tracked_.pose.camera_to_map)});
+    if (read.pose) result.truth.push_back({read.time, *read.pose});
+    for (const double square : tracked_.squared_error) result.squared_errors.add(square);
+    result.microseconds.add(std::lround(1e3 * track_ms));
+  }
+
+  void writeTimes(const SequenceFrame& read, double track_ms, double load_ms, double map_ms, double write_ms) {
+    const StageTimes& stages = tracker_->times();
+    std::set<std::int32_t> labels(tracked_.label_of_plane.begin(), tracked_.label_of_plane.end());
+    labels.erase(0);
+    std::vector<std::string> cells = {std::to_string(result.names.size() - 1), read.frame.name,
+                                      numberCell(read.time, 6)};
+    for (const double ms : {track_ms, 1e3 * stages.read, 1e3 * stages.sensor, 1e3 * stages.lines, 1e3 * stages.planes,
+                            1e3 * stages.regions, 1e3 * stages.result, load_ms, map_ms, write_ms})
+      cells.push_back(numberCell(ms, 3));
+    cells.push_back(std::to_string(tracked_.segmentation.planes.size()));
+    cells.push_back(std::to_string(labels.size()));
+    times_ << csvLine(cells);
+  }
+
+  const TrackOptions& options_;
+  const TrackInput& input_;
+  std::ostream& times_;
+  TrackMap map_;
+  std::optional<PlaneTracker> tracker_;
+  TrackedFrame tracked_;
+};
+
+}  // namespace
+
+TrackResult runTracker(const TrackOptions& options, const TrackInput& input, std::ostream& err) {
+  TrackResult result;
+  const std::string times = (std::filesystem::path(options.out) / "times.csv").string();
+  writeAtomically(times, [&](const std::string& temporary) {
+    std::ofstream file(temporary, std::ios::binary);
+    TrackRun run(options, input, file);
+    ProgressLine progress(err);
+    for (std::size_t i = 0; i < input.size(); ++i) {
+      try {
+        run.take(i);
+      } catch (const LostCamera& error) {
+        progress.clear();
+        reportProblem("epcc_track", err, error.what(), kExitInput);
+        ++run.result.problems;
+        break;
+      } catch (const InputError& error) {
+        progress.clear();
+        reportProblem("epcc_track", err, error.what(), kExitInput);
+        ++run.result.problems;
+      }
+      progress.show(i + 1, input.size());
+    }
+    run.finish();
+    file.close();
+    if (!file) throw OutputError(times, "file", "cannot be written");
+    result = std::move(run.result);
+  });
+  if (result.names.empty() && result.without_start > 0)
+    throw InputError(options.poses, "poses", "none has the time of a frame (--max-time-difference, --pose-free)");
+  if (result.names.empty()) throw InputError(options.folder, "frames", "none of them could be used");
+  return result;
+}
+
+}  // namespace epcc

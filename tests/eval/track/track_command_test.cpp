@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// epcc_track on rendered sequences: its files, its labels against the truth, its measures, and every wrong command
+// line.
+#include "eval/track/track_command.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "datasets/files/png_io.h"
+#include "datasets/files/trajectory_file.h"
+#include "datasets/rendered/scene_sequence.h"
+#include "eval/track/map_picture.h"
+#include "eval/track/track_files.h"
+#include "tests/support/real_frames.h"
+#include "tests/support/run_tool.h"
+
+namespace epcc::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kFrames = 24;
+
+/// A desk with a box, rendered once for all tests.
+class TrackCommand : public TempFolderTest {
+ protected:
+  static void SetUpTestSuite() {
+    frames_ = new TempFolder;
+    SequenceRecipe recipe;
+    recipe.scene = "a";
+    recipe.path = "orbit";
+    recipe.frames = kFrames;
+    recipe.options.camera = sceneCamera(240, 135);
+    recipe.noise = parseNoise("white:0.001,0.001,0").value();
+    const SceneSequence sequence(recipe);
+    for (std::size_t i = 0; i < kFrames; ++i) writeLabelledFrame(frames_->path(), sequence.frame(i));
+    writeTrajectory(frames_->path("groundtruth.txt"), sequence.trajectory());
+  }
+  static void TearDownTestSuite() { delete frames_; }
+  static std::string frames() { return frames_->path(); }
+
+  ToolResult run(const std::vector<std::string>& arguments) { return callTool(trackMain, "epcc_track", arguments); }
+  std::string outputOf(const std::vector<std::string>& arguments) {
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    return result.out;
+  }
+  void expectFailure(const std::vector<std::string>& arguments, int code, const std::string& words) {
+    test::expectFailure(run(arguments), "epcc_track", code, words);
+  }
+  nlohmann::json tracks(const std::string& folder) { return nlohmann::json::parse(read(folder + "/tracks.json")); }
+
+ private:
+  static TempFolder* frames_;
+};
+TempFolder* TrackCommand::frames_ = nullptr;
+
+std::string frameName(std::size_t i) {
+  char text[40];
+  std::snprintf(text, sizeof text, "a_000_orbit_%06zu", i);
+  return text;
+}
+
+/// The label that most pixels of the surface have.
+std::map<int, int> holders(const std::string& truth_folder, const std::string& folder, std::size_t i) {
+  const LabelImage truth = readGray16(truth_folder + "/" + frameName(i) + "_labels.png");
+  const LabelImage labels = readGray16(folder + "/" + frameName(i) + "_labels.png");
+  std::map<int, std::map<int, int>> counts;
+  for (std::size_t k = 0; k < truth.data.size(); ++k) ++counts[truth.data[k]][labels.data[k]];
+  std::map<int, int> result;
+  for (const auto& [surface, by_label] : counts)
+    result[surface] = std::max_element(by_label.begin(), by_label.end(), [](const auto& a, const auto& b) {
+                        return a.second < b.second;
+                      })->first;
+  return result;
+}
+
+TEST_F(TrackCommand, LeavesAllItsFiles) {
+  const std::string out = outputOf({frames(), "--out", path("o"), "--overlays"});
+  EXPECT_NE(out.find("24 frames"), std::string::npos) << out;
+  EXPECT_NE(out.find("poses known"), std::string::npos) << out;
+  std::vector<std::string> expected = {"map.png", "times.csv", "tracks.json", "trajectory.txt"};
+#ifdef EPCC_WITH_GEOS
+  expected.push_back("map.ply");
+#endif
+  for (std::size_t i = 0; i < kFrames; ++i)
+    for (const char* ending : {"_labels.png", "_overlay.png"}) expected.push_back(frameName(i) + ending);
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(names("o"), expected);
+  const Trajectory trajectory = readTrajectory(path("o/trajectory.txt"));
+  EXPECT_EQ(trajectory.size(), kFrames);
+  const std::string times = read("o/times.csv");
+  EXPECT_EQ(std::count(times.begin(), times.end(), '\n'), static_cast<long>(kFrames) + 1);
+}
+
+TEST_F(TrackCommand, LargeSurfacesKeepTheirLabel) {
+  outputOf({frames(), "--out", path("o")});
+  std::map<int, std::set<int>> labels;
+  for (std::size_t i = 5; i < kFrames; ++i)
+    for (const auto& [surface, label] : holders(frames(), path("o"), i))
+      if (surface == 1 || surface == 2) labels[surface].insert(label);
+  ASSERT_EQ(labels.size(), 2U);
+  EXPECT_EQ(labels[1].size(), 1U) << "the desk";
+  EXPECT_EQ(labels[2].size(), 1U) << "the wall";
+  EXPECT_EQ(labels[1].count(0) + labels[2].count(0), 0U);
+  EXPECT_NE(labels[1], labels[2]);
+}
+
+TEST_F(TrackCommand, TheMapIsTrue) {
+  outputOf({frames(), "--out", path("o")});
+  const nlohmann::json list = tracks("o");
+  EXPECT_EQ(list["version"], 1);
+  EXPECT_EQ(list["frames"], kFrames);
+  EXPECT_EQ(list["frame"], "world of the poses");
+  const int desk = holders(frames(), path("o"), kFrames - 1).at(1);
+  bool found = false;
+  for (const nlohmann::json& track : list["tracks"]) {
+    if (track["label"] != desk) continue;
+    found = true;
+    EXPECT_NEAR(track["coefficients"][2].get<double>(), 1.0, 0.001) << "the desk lies";
+    EXPECT_NEAR(track["coefficients"][3].get<double>(), 0.0, 0.01) << "at z = 0";
+    EXPECT_EQ(track["end"], "none");
+    EXPECT_GE(track["frames"].get<int>(), 20);
+    EXPECT_GT(track["area"].get<double>(), 0.5);
+    EXPECT_LT(track["area"].get<double>(), 6.0);
+    double deepest = 0.0;
+    for (const nlohmann::json& point : track["pieces"][0]["outline"])
+      deepest = std::max(deepest, std::abs(point[2].get<double>()));
+    EXPECT_LT(deepest, 0.02);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(TrackCommand, MeasuresWithoutAndWithTheTracker) {
+  const std::string out = outputOf({frames(), "--out", path("o"), "--compare-single", "--lags", "2,10"});
+  for (const char* words : {"planes, frames one by one    2", "labels as written           10", "relative, over 1 s",
+                            "against the truth", "squared errors of planes"})
+    EXPECT_NE(out.find(words), std::string::npos) << words << '\n' << out;
+}
+
+TEST_F(TrackCommand, WatchesLabelsForASecondWhateverTheLags) {
+  for (std::size_t i = 0; i < 8; ++i) {
+    LabelledFrame frame = readLabelledFrame(frames(), frameName(i));
+    frame.camera.extra["timestamp"] = 0.25 * static_cast<double>(i);
+    fs::create_directories(path("slow"));
+    writeLabelledFrame(path("slow"), frame);
+  }
+  // Frames 4 to 7 against 0 to 3: four seconds of each surface.
+  const std::string out = outputOf({path("slow"), "--out", path("o"), "--measure", "--lags", "1", "--confirm", "1"});
+  EXPECT_NE(out.find("of the largest five over 1 s: 0.00 as written, 0.00 as known by then (0."), std::string::npos)
+      << out;
+  EXPECT_EQ(out.find("(0.0 minutes)"), std::string::npos) << out;
+}
+
+TEST_F(TrackCommand, TakesPosesOfAFile) {
+  for (std::size_t i = 0; i < 8; ++i) {
+    LabelledFrame frame = readLabelledFrame(frames(), frameName(i));
+    frame.camera.extra.erase("pose");
+    fs::create_directories(path("bare"));
+    writeLabelledFrame(path("bare"), frame);
+  }
+  const std::string known = outputOf(
+      {path("bare"), "--poses", frames() + "/groundtruth.txt", "--out", path("o"), "--measure", "--lags", "2"});
+  EXPECT_NE(known.find("poses known"), std::string::npos);
+  EXPECT_NE(known.find("labels as written"), std::string::npos);
+  EXPECT_TRUE(readTrajectory(path("o/trajectory.txt"))[7].pose.isApprox(
+      readTrajectory(frames() + "/groundtruth.txt")[7].pose, 0.02));
+  const std::string free = outputOf({path("bare"), "--out", path("f"), "--measure"});
+  EXPECT_NE(free.find("poses found by the planes"), std::string::npos);
+  EXPECT_NE(free.find("nothing measured"), std::string::npos);
+  EXPECT_EQ(tracks("f")["frame"], "first camera");
+  EXPECT_TRUE(readTrajectory(path("f/trajectory.txt"))[0].pose.isApprox(Eigen::Isometry3d::Identity(), 1e-6));
+}
+
+TEST_F(TrackCommand, TakesSequencesOfTum) {
+  std::string poses = "# timestamp tx ty tz qx qy qz qw\n";
+  for (const char* stamp : {"1305031102.160407", "1305031102.194330", "1305031102.226738", "1305031102.262886"}) {
+    Image<std::uint16_t> depth(640, 480, 10000);  // a wall two metres away
+    fs::create_directories(path("seq/depth"));
+    writeGray16(path(std::string("seq/depth/") + stamp + ".png"), depth);
+    poses += std::to_string(std::stod(stamp) + 0.009) + " 1 2 3 0 0 0 1\n";
+  }
+  fs::create_directories(path("seq/rgb"));
+  const std::string file = write("seq/groundtruth.txt", poses);
+  const std::string out = outputOf({"tum-fr1:" + path("seq"), "--poses", file, "--out", path("o")});
+  EXPECT_NE(out.find("poses known"), std::string::npos) << out;
+  const Trajectory found = readTrajectory(path("o/trajectory.txt"));
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_DOUBLE_EQ(found[0].time, 1305031102.160407);
+  EXPECT_TRUE(found[3].pose.translation().isApprox(Eigen::Vector3d(1, 2, 3), 1e-3));
+  EXPECT_NEAR(tracks("o")["tracks"][0]["coefficients"][3].get<double>(), 5.0, 0.01) << "z = 3 + 2";
+  expectFailure({"tum-fr1:" + path("seq"), "--poses", file, "--max-time-difference", "0.001", "--out", path("s")}, 3,
+                "none has the time of a frame");
+  const std::string late = write("late.txt", "1305031102.2 1 2 3 0 0 0 1\n1305031102.23 1 2 3 0 0 0 1\n");
+  const std::string rest = outputOf({"tum-fr1:" + path("seq"), "--poses", late, "--out", path("r")});
+  EXPECT_NE(rest.find("3 frames of"), std::string::npos) << rest;
+  EXPECT_NE(rest.find("1 frames left out"), std::string::npos) << rest;
+}
+
+TEST_F(TrackCommand, FindsThePosesItself) {
+  const std::string out = outputOf({frames(), "--pose-free", "--frames", "12", "--out", path("o")});
+  EXPECT_NE(out.find("poses found by the planes"), std::string::npos);
+  const Trajectory found = readTrajectory(path("o/trajectory.txt")),
+                   truth = readTrajectory(frames() + "/groundtruth.txt");
+  ASSERT_EQ(found.size(), 12U);
+  EXPECT_TRUE(found[0].pose.isApprox(truth[0].pose, 1e-3)) << "the first is the map's frame";
+  EXPECT_LT((found[11].pose.translation() - truth[11].pose.translation()).norm(), 0.05);
+}
+
+TEST_F(TrackCommand, FollowsARealTable) {
+  EPCC_NEED_REAL_FRAMES("sequence");
+  outputOf({realFolder("sequence"), "--frames", "60", "--out", path("o")});
+  std::vector<double> areas;
+  const nlohmann::json list = tracks("o");
+  for (const nlohmann::json& track : list["tracks"])
+    if (track["end"] == "none" && track["frames"].get<int>() >= 55) areas.push_back(track["area"].get<double>());
+  ASSERT_GE(areas.size(), 3U) << "table, walls and more, seen all the time";
+  EXPECT_GT(*std::max_element(areas.begin(), areas.end()), 0.4);
+}
+
+TEST_F(TrackCommand, ChoosesFrames) {
+  const std::string out = outputOf({frames(), "--first", "3", "--every", "4", "--frames", "5", "--out", path("o")});
+  EXPECT_NE(out.find("5 frames"), std::string::npos);
+  EXPECT_TRUE(exists("o/" + frameName(3) + "_labels.png"));
+  EXPECT_TRUE(exists("o/" + frameName(19) + "_labels.png"));
+  EXPECT_FALSE(exists("o/" + frameName(23) + "_labels.png"));
+}
+
+TEST_F(TrackCommand, GivesTheSameForAnyNumberOfThreads) {
+  for (const char* threads : {"1", "2"})
+    outputOf({frames(), "--out", path(threads), "--frames", "10", "--threads", threads});
+  for (const std::string file : {"tracks.json", "trajectory.txt", "map.png"})
+    EXPECT_EQ(read("1/" + file), read("2/" + file)) << file;
+}
+
+TEST_F(TrackCommand, LeavesOutADamagedFrame) {
+  fs::copy(frames(), path("damaged"));
+  write("damaged/" + frameName(4) + "_depth.png", "no picture");
+  const ToolResult result = run({path("damaged"), "--out", path("o")});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_NE(result.err.find(frameName(4)), std::string::npos);
+  EXPECT_NE(result.out.find("23 frames"), std::string::npos);
+  EXPECT_FALSE(exists("o/" + frameName(4) + "_labels.png"));
+}
+
+TEST_F(TrackCommand, RefusesWrongCommandLines) {
+  const std::string out = path("none");
+  expectFailure({}, 2, "FOLDER");
+  expectFailure({frames()}, 2, "--out");
+  expectFailure({frames(), "--out", out, "--fast"}, 2, "--fast");
+  expectFailure({frames(), "--out", out, "--every", "0"}, 2, "--every");
+  expectFailure({frames(), "--out", out, "--pose-sigma", "1"}, 2, "METRES,DEGREES");
+  expectFailure({frames(), "--out", out, "--pose-sigma", "-1,1"}, 2, "metres");
+  expectFailure({frames(), "--out", out, "--motion-sigma", "1,100"}, 2, "degrees");
+  expectFailure({frames(), "--out", out, "--projection", "camera"}, 2, "--projection");
+  expectFailure({frames(), "--out", out, "--lags", "5,x"}, 2, "'x'");
+  expectFailure({frames(), "--out", out, "--lags", "5,5"}, 2, "twice");
+  expectFailure({frames(), "--out", out, "--set", "mode=paper"}, 2, "inverse-depth");
+  expectFailure({frames(), "--out", out, "--set", "nothing=1"}, 2, "nothing");
+  expectFailure({frames(), "--out", out, "--noise", "loud"}, 2, "loud");
+  expectFailure({frames(), "--out", out, "--cell", "0"}, 2, "--cell");
+  expectFailure({frames(), "--out", frames()}, 2, "holds the frames");
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(TrackCommand, SaysWhatCannotBeReadOrWritten) {
+  expectFailure({path("missing"), "--out", path("o")}, 3, "missing");
+  expectFailure({frames(), "--poses", path("missing.txt"), "--out", path("o")}, 3, "missing.txt");
+  expectFailure({frames(), "--first", "24", "--out", path("o")}, 3, "--first 24");
+  write("file", "x");
+  expectFailure({frames(), "--out", path("file")}, 4, "file");
+}
+
+TEST_F(TrackCommand, HelpsAndNamesItsVersion) {
+  EXPECT_NE(outputOf({"--help"}).find("--pose-free"), std::string::npos);
+  EXPECT_EQ(outputOf({"--version"}).rfind("epcc_track ", 0), 0U);
+}
+
+PlaneTrack mergedTrack(int label, int into, long first, long last) {
+  PlaneTrack track;
+  track.label = label;
+  track.first_frame = first;
+  track.last_frame = last;
+  if (into > 0) {
+    track.end = TrackEnd::Merged;
+    track.merged_into = into;
+  }
+  return track;
+}
+
+TEST(FinalLabels, FollowTheTracksToTheirEnd) {
+  const std::map<int, int> now =
+      finalLabels({mergedTrack(1, 0, 0, 9), mergedTrack(2, 1, 0, 4), mergedTrack(3, 2, 0, 2), mergedTrack(4, 0, 0, 9)});
+  EXPECT_EQ(now, (std::map<int, int>{{1, 1}, {2, 1}, {3, 1}, {4, 4}}));
+}
+
+class RewrittenLabels : public TempFolderTest {};
+
+TEST_F(RewrittenLabels, BecomeThoseOfTheOther) {
+  for (const char* name : {"x", "y", "z"})
+    writeLastingLabels(path(std::string(name) + "_labels.png"), 4, 1, {0, 1, 2, 3});
+  const std::vector<PlaneTrack> tracks = {mergedTrack(1, 0, 0, 2), mergedTrack(2, 1, 1, 1), mergedTrack(3, 0, 0, 2)};
+  EXPECT_EQ(rewriteLabels(tracks, {"x", "y", "z"}, folder()), 1) << "only where it was seen";
+  EXPECT_EQ(readGray16(path("x_labels.png")).data, (std::vector<std::uint16_t>{0, 1, 2, 3}));
+  EXPECT_EQ(readGray16(path("y_labels.png")).data, (std::vector<std::uint16_t>{0, 1, 1, 3}));
+}
+
+TEST(MapPicture, ShowsWhatFacesTheViewer) {
+  MappedTrack floor;
+  floor.track.label = 3;
+  floor.track.plane.coefficients << 0, 0, 1, 0;
+  floor.surface.label = 3;
+  floor.surface.basis.normal = Vector3::UnitZ();
+  SurfacePiece piece;
+  piece.outline.points = {Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(4, 2, 0), Vector3(0, 2, 0)};
+  floor.surface.pieces = {piece};
+  MappedTrack ceiling = floor;
+  ceiling.track.label = 4;
+  ceiling.track.plane.coefficients << 0, 0, -1, 3;
+  ceiling.surface.basis.normal = -Vector3::UnitZ();
+  for (Vector3& point : ceiling.surface.pieces[0].outline.points) point.z() = 3;
+  const MapView above{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+  const auto colored = [&](const std::vector<MappedTrack>& tracks) {
+    const ColorImage image = drawMap(tracks, {}, above, 400);
+    return std::count_if(image.data.begin(), image.data.end(), [](const Rgb& c) { return c.r != c.g || c.g != c.b; });
+  };
+  EXPECT_GT(colored({floor}), 50000);
+  EXPECT_EQ(colored({floor}), colored({floor, ceiling}));
+  EXPECT_EQ(colored({ceiling}), 0);
+  floor.track.end = TrackEnd::Clutter;
+  EXPECT_EQ(colored({floor}), 0);
+}
+
+}  // namespace
+}  // namespace epcc::test
