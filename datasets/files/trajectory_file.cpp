@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kNumbers = 8;
 constexpr double kLengthTolerance = 0.01;  // of a quaternion: files have three decimals and more
 constexpr std::size_t kMaxPoses = 100U * 1000 * 1000;
-const char kHeading[] = "# timestamp tx ty tz qx qy qz qw (s; camera to world, metres)\n";
+const char kTrajectoryHeading[] = "# timestamp tx ty tz qx qy qz qw (s; camera to world, metres)\n";
 
 /// Empty, or what is wrong with the line.
 std::string readPose(std::string_view line, StampedPose& stamped) {
@@ -75,7 +75,7 @@ std::string trajectoryLine(const StampedPose& stamped) {
 }
 
 void writeTrajectory(const std::string& path, const Trajectory& trajectory) {
-  std::string text = kHeading;
+  std::string text = kTrajectoryHeading;
   for (const StampedPose& stamped : trajectory) text += trajectoryLine(stamped);
   writeTextFile(path, text);
 }
