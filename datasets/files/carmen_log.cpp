@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "datasets/files/laser_log.h"
+#include "datasets/support/degree.h"
 #include "datasets/support/input_error.h"
 #include "datasets/support/number_text.h"
 
 namespace epcc {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr int kFewestNothing = 10;  // beams with the same largest range
 
 /// What is wrong with a line.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "datasets/rendered/scene_renderer.h"
+#include "datasets/support/degree.h"
 #include "datasets/support/quantile.h"
 
 namespace epcc {
@@ -16,7 +17,6 @@ using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr double kPeriod = 10.0;         // s
 constexpr double kSwayOfDepth = 0.06;    // of the distance to what is looked at
 constexpr double kMostSwayDepth = 3.0;   // m: a long corridor is not wider for it

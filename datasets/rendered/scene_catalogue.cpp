@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "datasets/support/degree.h"
+
 namespace epcc {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kDegree = 0.017453292519943295;
 
 CameraPose drawPose(SceneRandom& random, const Vector3d& position, double pitch_degrees) {
   CameraPose pose;

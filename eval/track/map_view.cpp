@@ -4,10 +4,11 @@
 
 #include <cmath>
 
+#include "datasets/support/degree.h"
+
 namespace epcc {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr double kFloorTilt = 30.0 * kDegree;
 constexpr double kLookDown = 40.0 * kDegree;
 constexpr double kFromOneSide = 25.0 * kDegree;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "datasets/files/text_lines.h"
+#include "datasets/support/degree.h"
 #include "datasets/support/number_text.h"
 #include "epcc_segmentation/parameter_table.h"
 #include "eval/program/command_line.h"
@@ -28,7 +29,6 @@ constexpr const char* kDescription =
 constexpr const char* kFooter =
     "Exit codes: 0 done, 2 wrong usage, 3 an input could not be used (the rest is done), 4 an output could not be\n"
     "written.";
-constexpr double kDegree = 0.017453292519943295;
 constexpr int kMostLag = 1000;
 
 /// The options as typed.
