@@ -10,8 +10,6 @@
 namespace epcc {
 namespace {
 
-constexpr long kMinPixels = 200;
-constexpr long kRepeatedPercent = 80;
 constexpr std::size_t kWatchedSurfaces = 5;
 constexpr double kChi2Limit = 7.814728;  // 95 % of chi^2 of three degrees of freedom
 constexpr double kMostCounted = 1e6;
@@ -108,7 +106,7 @@ LastingRepeatability lastingRepeatability(const std::vector<std::int32_t>& share
   result.pairs = 1;
   result.shared = counts.shared;
   for (const auto& [label, pixels] : counts.from) {
-    if (label == 0 || pixels < kMinPixels || !flat_from[label]) continue;
+    if (label == 0 || pixels < kMinSharedPixels || !flat_from[label]) continue;
     ++result.regions;
     const auto both = counts.both.find({label, label});
     if (both == counts.both.end() || !flat_to[label]) continue;
@@ -129,7 +127,7 @@ void SwitchCounter::add(const LabelImage& truth, const LabelImage& labels, doubl
     long pixels = 0, most = 0;
     for (const auto& entry : by_label) pixels += entry.second;
     const int label = mostFrequent(by_label, most);
-    if (pixels < kMinPixels || label == 0) continue;
+    if (pixels < kMinSharedPixels || label == 0) continue;
     const auto [last, is_new] = last_.emplace(surface, Last{label, time});
     if (!is_new) {
       result_.seconds += time - last->second.time;
@@ -144,7 +142,7 @@ LabelSwitches labelSwitches(const std::vector<std::int32_t>& shared, const Lasti
   const PairCounts counts = countPairs(shared, from, to, now);
   std::vector<std::pair<long, int>> largest;
   for (const auto& [label, pixels] : counts.from)
-    if (label != 0 && pixels >= kMinPixels) largest.emplace_back(-pixels, label);
+    if (label != 0 && pixels >= kMinSharedPixels) largest.emplace_back(-pixels, label);
   std::sort(largest.begin(), largest.end());
   largest.resize(std::min(largest.size(), kWatchedSurfaces));
   LabelSwitches result;

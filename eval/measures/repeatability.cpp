@@ -16,8 +16,6 @@ constexpr double kSameDepthMetres = 0.02;
 constexpr double kSameDepthShare = 0.02;
 constexpr double kFlatSigmas = 3.0;
 constexpr long kFlatPercent = 85;
-constexpr long kRepeatedPercent = 80;
-constexpr long kMinSharedPixels = 200;
 
 bool isMeasured(float depth) {
   return depth > 0.0F && std::isfinite(depth);

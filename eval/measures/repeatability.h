@@ -14,6 +14,9 @@
 
 namespace epcc {
 
+constexpr long kRepeatedPercent = 80;   ///< of a region's shared pixels, in both directions
+constexpr long kMinSharedPixels = 200;  ///< of a region that counts
+
 /// What a camera saw and from where. A depth that is not above 0 is none.
 struct PosedView {
   PinholeCamera camera;
