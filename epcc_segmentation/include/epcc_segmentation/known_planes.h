@@ -47,7 +47,9 @@ struct KnownPlanes {
   /// Earlier frames; what the first one says goes before what the next ones say.
   std::vector<KnownView> views;
   UncertainPose pose;  ///< the new camera, as expected
-  /// Whether what they do not explain is segmented. Without that a frame takes about half the time.
+  /// Whether all that they do not explain is segmented, or only what is new: what no view shows, and what is not where
+  /// its plane is expected. Without it what was no plane in the last view is none, and known planes that touch are not
+  /// compared.
   bool search = true;
   /// How many times the covariance of a frame's planes their error has been so far, at least 1.
   double error_scale = 1.0;

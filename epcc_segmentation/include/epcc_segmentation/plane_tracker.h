@@ -29,8 +29,9 @@ struct TrackerParameters {
   /// A plane gets its label when it was seen in so many frames. [1, 1000], default 3. Raise it if flicker gets labels;
   /// lower it if a new wall is to be reported at once.
   int confirm_frames = 3;
-  /// New planes are looked for in every so many frames, and in the next one when more than usual is not explained. [1,
-  /// 1000], default 10. Raise it for speed; lower it, to 1, if a new surface is to be seen in its first frame.
+  /// What is new is segmented in every frame, but what was no plane in the last one only in every so many frames. [1,
+  /// 1000], default 10. Raise it for speed; lower it, to 1, if small planes at the limit of what is found are to be
+  /// seen in their first frame.
   int search_frames = 10;
   /// Frames that a decision remembers: whether a track is clutter, and whether two are one. [1, 1000], default 15.
   int memory_frames = 15;
@@ -74,15 +75,19 @@ struct TrackedFrame {
   /// The camera by the given or expected pose and the planes together.
   UncertainPose pose;
   Matrix6 pose_information = Matrix6::Zero();  ///< what the planes alone say of it
-  std::vector<double> squared_error;           ///< normalised, of each plane that was expected and seen (3 on average)
+  /// The given pose is not where the camera is among the planes of the map, which it would be had it gone on as it did:
+  /// from now on given poses are taken in the map as if they had not jumped.
+  bool pose_jumped = false;
+  std::vector<double> squared_error;  ///< normalised, of each plane that was expected and seen (3 on average)
 };
 
 /// Follows planes through the frames of a moving camera (docs/research/over_time.md). What the planes of the map
 /// explain of a frame keeps its plane, the rest is segmented anew; the pose is that which the planes and the
 /// expectation agree on; a plane that was out of sight is found again by its place and parameters; two that touch and
-/// turn out to be one are merged. Frames of one camera, in their order. Known planes label depth images, and clouds of
-/// a camera in its own frame, in the inverse-depth mode; of other frames each plane is found again by its place, which
-/// takes given poses. Deterministic. Not for several threads at once.
+/// turn out to be one are merged. A jump of given poses that the planes contradict is noted and taken out of all that
+/// follow; along a direction that no plane determines none is seen. Frames of one camera, in their order. Known planes
+/// label depth images, and clouds of a camera in its own frame, in the inverse-depth mode; of other frames each plane
+/// is found again by its place, which takes given poses. Deterministic. Not for several threads at once.
 class EPCC_CORE_EXPORT PlaneTracker {
  public:
   /// `parameters` and `sensor` are those of the segmentation; without a sensor it is measured on the frames (`auto`).

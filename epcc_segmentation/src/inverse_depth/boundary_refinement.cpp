@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "inverse_depth/steady_borders.h"
 #include "parallel_for.h"
 
 namespace epcc {
@@ -28,7 +29,8 @@ class Refiner {
         labels_(map.labels.data()),
         words_(wordsOf(image.width)),
         memory_(memory),
-        moves_(map.moves) {
+        moves_(map.moves),
+        steady_(map.known > 0) {
     moves_.begin(map.regions.size());
     memory_.parts.resize(static_cast<std::size_t>(std::max(1, threads)));
     memory_.bands.resize(kRefinedBands);
@@ -172,6 +174,7 @@ class Refiner {
       listCandidates(pixels, std::min(kPart, band.frontier_count - begin), part);
       measureCandidates(pixels, part);
       askCreases(part);
+      if (steady_) askNeighbours(image_, labels_, parameters_.flip_gain, pixels, part);
       band.change_count += choose(pixels, part, band.changes.data() + band.change_count);
     }
   }
@@ -342,6 +345,7 @@ class Refiner {
   RefinementMemory& memory_;
   MomentMoves& moves_;
   bool use_creases_ = true;
+  bool steady_ = false;  // the labels are those of earlier frames
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 
+#include "inverse_depth/relabelling.h"
+
 namespace epcc {
 
 CarriedLabels::PixelOf::PixelOf(const std::vector<double>& coordinate, int count) {
@@ -16,36 +18,44 @@ CarriedLabels::PixelOf::PixelOf(const std::vector<double>& coordinate, int count
   offset = static_cast<float>(pixels * (0.5 - per_coordinate * coordinate.front()));
 }
 
-void CarriedLabels::begin(const InverseDepthImage& image, const KnownView& view, const Isometry3& camera_to_map) {
-  const Eigen::Isometry3d to_earlier =
-      Eigen::Isometry3d(view.camera_to_map).inverse() * Eigen::Isometry3d(camera_to_map);
-  turn_ = to_earlier.linear().cast<float>();
+void CarriedLabels::begin(const InverseDepthImage& image, const KnownView& view) {
   across_.assign(image.across.begin(), image.across.end());
-  const Eigen::Vector3f shift = to_earlier.translation().cast<float>();
-  for (int k = 0; k < 3; ++k) {
-    row_.along_row[k] = turn_(k, 0);
-    row_.shift[k] = shift(k);
-  }
   const PixelOf column_of(image.across, view.width), row_of(image.along, view.height);
   row_.column_offset = column_of.offset;
   row_.column_factor = column_of.factor;
   row_.row_offset = row_of.offset;
   row_.row_factor = row_of.factor;
-  row_.across = across_.data();
-  row_.width = image.width;
   row_.frame_width = view.width;
   row_.frame_height = view.height;
-  labels_ = view.labels->data();
-  plane_of_ = view.plane_of_label.data();
+  plane_at_ = *view.labels;
+  relabelPixels(plane_at_.data(), plane_at_.size(), view.plane_of_label.data());
+  plane_at_.push_back(kUnseen);
   pixels_.resize(across_.size() + 16);
+  planes_.resize(across_.size());
 }
 
-const std::int32_t* CarriedLabels::pixels(const InverseDepthImage& image, int row) {
+void CarriedLabels::carryFrom(const Isometry3& image_pose, const Isometry3& view_pose) {
+  const Eigen::Isometry3d to_earlier = Eigen::Isometry3d(view_pose).inverse() * Eigen::Isometry3d(image_pose);
+  turn_ = to_earlier.linear().cast<float>();
+  const Eigen::Vector3f shift = to_earlier.translation().cast<float>();
+  for (int k = 0; k < 3; ++k) {
+    row_.along_row[k] = turn_(k, 0);
+    row_.shift[k] = shift(k);
+  }
+}
+
+const std::int32_t* CarriedLabels::planes(const InverseDepthImage& image, int row, int begin, int end) {
   row_.along = static_cast<float>(image.along[static_cast<std::size_t>(row)]);
   for (int k = 0; k < 3; ++k) row_.begin[k] = turn_(k, 1) * row_.along + turn_(k, 2);
-  row_.w = image.w.data() + image.index(row, 0);
+  row_.w = image.w.data() + image.index(row, begin);
+  row_.across = across_.data() + begin;
+  row_.width = end - begin;
   placesInEarlierFrame(row_, pixels_.data());
-  return pixels_.data();
+  const std::int32_t* const plane_at = plane_at_.data();
+  const std::int32_t* const pixels = pixels_.data();
+  std::int32_t* const planes = planes_.data();
+  for (int k = 0; k < row_.width; ++k) planes[k] = plane_at[pixels[k]];
+  return planes;
 }
 
 }  // namespace epcc

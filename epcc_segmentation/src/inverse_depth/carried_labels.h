@@ -12,16 +12,19 @@
 
 namespace epcc {
 
+/// Instead of a plane: the earlier frame does not show it.
+constexpr std::int32_t kUnseen = -1;
+
 /// Carries samples into an earlier frame of the same camera, row by row.
 class CarriedLabels {
  public:
-  /// `image` is seen from `camera_to_map`. The labels of the view are those of its samples or pixels, as many or few as
-  /// there are.
-  void begin(const InverseDepthImage& image, const KnownView& view, const Isometry3& camera_to_map);
-  /// Per sample of a row: the pixel of the earlier frame that shows it, or -1. Until the next call.
-  const std::int32_t* pixels(const InverseDepthImage& image, int row);
-  /// The plane that a pixel of the earlier frame was part of, 0 for none and for -1.
-  std::int32_t planeAt(std::int32_t pixel) const { return pixel >= 0 ? plane_of_[labels_[pixel]] : 0; }
+  /// The labels of the view are those of its samples or pixels, as many or few as there are.
+  void begin(const InverseDepthImage& image, const KnownView& view);
+  /// The image is seen from the one pose, the view from the other, both camera to map.
+  void carryFrom(const Isometry3& image_pose, const Isometry3& view_pose);
+  /// Per sample `begin` .. `end` - 1 of a row: the plane that it was part of, 0 for none, kUnseen if the view does not
+  /// show it or it is not measured. Until the next call.
+  const std::int32_t* planes(const InverseDepthImage& image, int row, int begin, int end);
   /// Rays of the samples of a row.
   const float* across() const { return across_.data(); }
 
@@ -34,12 +37,11 @@ class CarriedLabels {
     PixelOf(const std::vector<double>& coordinate, int count);
   };
 
-  const std::int32_t* labels_ = nullptr;
-  const std::int32_t* plane_of_ = nullptr;
+  std::vector<std::int32_t> plane_at_;  // by pixel of the earlier frame, and kUnseen behind the last
   CarriedRow row_ = {};
   Eigen::Matrix3f turn_;
   std::vector<float> across_;
-  std::vector<std::int32_t> pixels_;
+  std::vector<std::int32_t> pixels_, planes_;
 };
 
 }  // namespace epcc

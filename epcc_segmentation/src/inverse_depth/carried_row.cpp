@@ -30,7 +30,7 @@ struct CarriedPart {
   }
 };
 
-/// The pixels of the samples at w, across; -1 of those that the earlier frame does not show.
+/// The pixels of the samples at w, across; the one behind the last of those that the earlier frame does not show.
 template <class Lanes, class Vector>
 HWY_INLINE auto CarriedPixels(const CarriedRow& row, Lanes d, Vector w, Vector across) {
   const CarriedNumbers di;
@@ -52,7 +52,7 @@ HWY_INLINE auto CarriedPixels(const CarriedRow& row, Lanes d, Vector w, Vector a
   const auto whole_line = hn::ConvertTo(di, hn::IfThenElseZero(seen, line));
   const auto whole_column = hn::ConvertTo(di, hn::IfThenElseZero(seen, column));
   const auto pixel = hn::Add(hn::Mul(whole_line, hn::Set(di, row.frame_width)), whole_column);
-  return hn::IfThenElse(hn::RebindMask(di, seen), pixel, hn::Set(di, -1));
+  return hn::IfThenElse(hn::RebindMask(di, seen), pixel, hn::Set(di, row.frame_width * row.frame_height));
 }
 
 void PlacesInEarlierFrame(const CarriedRow* row, std::int32_t* pixels) {

@@ -18,8 +18,8 @@ struct CarriedRow {
   std::int32_t frame_width, frame_height;
 };
 
-/// pixels[k] = the pixel of the earlier frame (row * width + column) that shows what the sample shows, or -1. Room for
-/// 16 more than the width.
+/// pixels[k] = the pixel of the earlier frame (row * width + column) that shows what the sample shows, or the one
+/// behind its last. Room for 16 more than the width.
 void placesInEarlierFrame(const CarriedRow& row, std::int32_t* pixels);
 
 }  // namespace epcc

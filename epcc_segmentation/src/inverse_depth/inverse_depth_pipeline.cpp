@@ -17,6 +17,10 @@ namespace {
 
 // Sigma by which another plane must suit a sample better before it leaves the one that it was in earlier frames.
 constexpr double kSteadyGain = 1.0;
+// A sample stays with a plane that it would not join: where a surface bends, residuals are what they were.
+constexpr double kSteadyResidual = 4.0 / 3.0;
+
+constexpr std::int32_t kFewestNewSamples = 64;  // as many as a block of those that are looked at together
 
 }  // namespace
 
@@ -62,7 +66,7 @@ void InverseDepthPipeline::begin(InverseDepthImage& image, ScatteredPixels* scat
 
 void InverseDepthPipeline::continueKnown(const KnownPlanes& known, Continuation& continuation) {
   KnownRegions::Rule rule;
-  rule.max_residual = grid_parameters_.expert.refinement.max_residual;
+  rule.max_residual = kSteadyResidual * grid_parameters_.expert.refinement.max_residual;
   rule.pixels_per_sample = grid_sensor_.pixelsPerSample();
   map_.known = static_cast<int>(known.planes.size());
   continuation_ = &continuation;
@@ -70,13 +74,11 @@ void InverseDepthPipeline::continueKnown(const KnownPlanes& known, Continuation&
   refinement.flip_gain = std::max(refinement.flip_gain, kSteadyGain);
   rule.error_scale = known.error_scale;
   known_.label(*image_, known, rule, map_, continuation);
-  searches_ = known.search;
-  if (!searches_) {
-    for (DirectionalPlanes& direction : directions_) direction.setActive(false);
-    return;
-  }
-  epcc::refineBoundaries(*image_, grid_parameters_, map_, refinement_, parameters_.threads);
-  known_.hideLabelled(*image_, map_);
+  judges_known_ = known.search;
+  searches_ = open_blocks_.hideRest(*image_, map_);
+  if (searches_) return;
+  map_.accumulate(*image_, parameters_.threads);
+  for (DirectionalPlanes& direction : directions_) direction.setActive(false);
 }
 
 // The strips of both directions know nothing of each other. Those of rows, which take longer or shorter, are spread
@@ -118,11 +120,27 @@ void InverseDepthPipeline::joinDirections() {
     return;
   }
   joining_.join(*image_, directions_, parameters_.threads, rest_map_);
-  known_.showAll(*image_);
-  for (std::size_t i = 0; i < map_.labels.size(); ++i)
-    if (rest_map_.labels[i] > 0) map_.labels[i] = map_.known + rest_map_.labels[i];
-  map_.regions.resize(static_cast<std::size_t>(map_.known) + rest_map_.regions.size());
+  open_blocks_.showAll(*image_);
+  searches_ = takeFound() || judges_known_;
   map_.accumulate(*image_, parameters_.threads);
+}
+
+// Small ones between searches are pieces of clutter, most of them, and of what surrounds it.
+bool InverseDepthPipeline::takeFound() {
+  std::vector<std::int32_t>& found = found_labels_;
+  found.assign(rest_map_.regions.size() + 1, 0);
+  for (const std::int32_t label : rest_map_.labels) ++found[static_cast<std::size_t>(label)];
+  const std::int32_t fewest = judges_known_ ? 1 : kFewestNewSamples;
+  std::int32_t last = map_.known;
+  found[0] = 0;
+  for (std::size_t k = 1; k < found.size(); ++k) found[k] = found[k] >= fewest ? ++last : 0;
+  map_.regions.resize(static_cast<std::size_t>(last));
+  if (last == map_.known) return false;
+  for (std::size_t i = 0; i < map_.labels.size(); ++i) {
+    const std::int32_t label = found[static_cast<std::size_t>(rest_map_.labels[i])];
+    map_.labels[i] = label > 0 ? label : map_.labels[i];
+  }
+  return true;
 }
 
 void InverseDepthPipeline::mergeRegions() {

@@ -17,6 +17,7 @@
 #include "inverse_depth/full_resolution.h"
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/known_regions.h"
+#include "inverse_depth/open_blocks.h"
 #include "inverse_depth/region_contacts.h"
 #include "inverse_depth/region_map.h"
 #include "inverse_depth/region_merging.h"
@@ -68,6 +69,8 @@ class InverseDepthPipeline {
                     std::vector<LineSegment>& segments) const;
 
  private:
+  bool takeFound();
+
   Parameters parameters_;
   SensorModel sensor_;
   GridSteps steps_;
@@ -79,9 +82,12 @@ class InverseDepthPipeline {
   const InverseDepthImage* full_image_ = nullptr;
   InverseDepthImage* image_ = nullptr;  // that of the steps
   KnownRegions known_;
+  OpenBlocks open_blocks_;
   Continuation* continuation_ = nullptr;  // of known planes, if there are any
   RegionMap rest_map_;
+  std::vector<std::int32_t> found_labels_;
   bool searches_ = true;                         // for planes that are not known
+  bool judges_known_ = false;                    // whether known planes that touch are one
   std::array<DirectionalPlanes, 2> directions_;  // by columns, by rows
   std::vector<StripMemory> strip_memory_;        // per thread
   DirectionJoining joining_;

@@ -5,19 +5,40 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "inverse_depth/open_blocks.h"
 #include "over_time/plane_motion.h"
 
 namespace epcc {
 
 namespace {
 
-// Samples that tell how far a plane has moved: every so many rows, and every so many of their samples.
+// Samples that tell where the camera is and how far each plane has moved: every so many rows, and every so many of
+// their samples.
 constexpr int kAdaptingRows = 8, kAdaptingColumns = 2;
-constexpr int kPoseLooks = 2;  // the labels are carried by the expected pose, then by the one that was found
 
-constexpr int kBlock = 8;           // samples
-constexpr int kEnoughOfBlock = 16;  // of 64
+constexpr std::int32_t kNew = -2;  // instead of a label
+
+/// Calls work(begin, end) for the parts of a row that have samples without a label, in whole blocks.
+template <typename Work>
+void forOpenParts(const std::int32_t* labels, int width, const Work& work) {
+  const auto isOpen = [&](int column) {
+    std::int32_t least = labels[column];
+    if (column + kKnownBlock <= width)
+      for (int k = 0; k < kKnownBlock; ++k) least = std::min(least, labels[column + k]);
+    else
+      for (int k = column; k < width; ++k) least = std::min(least, labels[k]);
+    return least <= 0;
+  };
+  for (int begin = 0; begin < width; begin += kKnownBlock) {
+    if (!isOpen(begin)) continue;
+    int end = begin + kKnownBlock;
+    while (end < width && isOpen(end)) end += kKnownBlock;
+    work(begin, std::min(end, width));
+    begin = end;
+  }
+}
 
 }  // namespace
 
@@ -26,20 +47,23 @@ void KnownRegions::label(const InverseDepthImage& image, const KnownPlanes& know
   map.labels.assign(image.w.size(), 0);
   map.regions.assign(known.planes.size(), PlaneMoments());
   carried_.resize(known.views.size());
-  continuation.pose = known.pose;
-  for (int look = 0; look < kPoseLooks; ++look) {
-    expect(known, continuation.pose);
-    lookNear(image, known, continuation.pose.camera_to_map, rule);
-    const AlignedPose aligned = alignPose(known.planes, seen_, known.pose, rule.error_scale);
-    continuation.pose = aligned.pose;
-    continuation.pose_information = aligned.information;
-    continuation.squared_error = aligned.squared_error;
-  }
-  expect(known, continuation.pose);
-  lookNear(image, known, continuation.pose.camera_to_map, rule);
+  // By the expected pose, then by the one that was found.
+  for (std::size_t k = 0; k < carried_.size(); ++k) carried_[k].begin(image, known.views[k]);
+  carryFrom(known, known.pose.camera_to_map);
+  expect(known, known.pose);
+  lookNear(image, rule);
+  const UncertainPose found = alignPose(known.planes, seen_, known.pose, rule.error_scale).pose;
+  carryFrom(known, found.camera_to_map);
+  expect(known, found);
+  lookNear(image, rule);
   adapt(rule);
-  labelSamples(image, known, map, continuation);
-  map.accumulate(image);
+  const AlignedPose aligned = alignPose(known.planes, seen_, known.pose, rule.error_scale);
+  continuation.pose = aligned.pose;
+  continuation.pose_information = aligned.information;
+  continuation.squared_error = aligned.squared_error;
+  labelSamples(image, map, continuation);
+  if (known.search)
+    for (std::int32_t& label : map.labels) label = std::max(label, 0);
 }
 
 void KnownRegions::expect(const KnownPlanes& known, const UncertainPose& pose) {
@@ -64,19 +88,14 @@ void KnownRegions::expect(const KnownPlanes& known, const UncertainPose& pose) {
   }
 }
 
-void KnownRegions::beginCarrying(const InverseDepthImage& image, const KnownPlanes& known, const Isometry3& pose) {
-  for (std::size_t k = 0; k < carried_.size(); ++k) carried_[k].begin(image, known.views[k], pose);
+void KnownRegions::carryFrom(const KnownPlanes& known, const Isometry3& pose) {
+  for (std::size_t k = 0; k < carried_.size(); ++k) carried_[k].carryFrom(pose, known.views[k].camera_to_map);
 }
 
 // The samples that may be a plane's, as far as the expectation goes.
-void KnownRegions::lookNear(const InverseDepthImage& image, const KnownPlanes& known, const Isometry3& pose,
-                            const Rule& rule) {
-  beginCarrying(image, known, pose);
+void KnownRegions::lookNear(const InverseDepthImage& image, const Rule& rule) {
   near_.assign(expected_.size(), PlaneMoments());
-  for (int row = kAdaptingRows / 2; row < image.height; row += kAdaptingRows)
-    for (std::size_t view = carried_.size(); view-- > 0;) {
-      lookNearInRow(image, row, rule, carried_[view]);
-    }
+  for (int row = kAdaptingRows / 2; row < image.height; row += kAdaptingRows) lookNearInRow(image, row, rule);
   const double share = std::min(1.0, kAdaptingRows * kAdaptingColumns / std::max(1.0, rule.pixels_per_sample));
   seen_.assign(expected_.size() - 1, SeenPlane());
   for (std::size_t k = 0; k < seen_.size(); ++k) {
@@ -86,13 +105,25 @@ void KnownRegions::lookNear(const InverseDepthImage& image, const KnownPlanes& k
   }
 }
 
-void KnownRegions::lookNearInRow(const InverseDepthImage& image, int row, const Rule& rule, CarriedLabels& carried) {
-  const std::int32_t* pixels = carried.pixels(image, row);
+// What the first view says, and where that shows no plane the next one.
+const std::int32_t* KnownRegions::expectedInRow(const InverseDepthImage& image, int row) {
+  row_expected_.assign(static_cast<std::size_t>(image.width), 0);
+  for (CarriedLabels& carried : carried_)
+    forOpenParts(row_expected_.data(), image.width, [&](int begin, int end) {
+      const std::int32_t* planes = carried.planes(image, row, begin, end);
+      std::int32_t* expected = row_expected_.data() + begin;
+      for (int k = 0; k < end - begin; ++k) expected[k] = expected[k] > 0 ? expected[k] : planes[k];
+    });
+  return row_expected_.data();
+}
+
+void KnownRegions::lookNearInRow(const InverseDepthImage& image, int row, const Rule& rule) {
+  const std::int32_t* const expected = expectedInRow(image, row);
   const auto gate = static_cast<float>(rule.max_residual * rule.max_residual);
   const auto v = static_cast<float>(image.along[static_cast<std::size_t>(row)]);
   for (int column = kAdaptingColumns / 2; column < image.width; column += kAdaptingColumns) {
-    const std::int32_t label = carried.planeAt(pixels[column]);
-    if (label == 0) continue;
+    const std::int32_t label = expected[column];
+    if (label <= 0) continue;
     const std::size_t i = image.index(row, column);
     const Expected& e = expected_[static_cast<std::size_t>(label)];
     const auto u = static_cast<float>(image.across[static_cast<std::size_t>(column)]);
@@ -107,90 +138,87 @@ void KnownRegions::lookNearInRow(const InverseDepthImage& image, int row, const 
 
 // What is expected is one observation of the plane, the samples near it are another.
 void KnownRegions::adapt(const Rule& rule) {
+  adapted_.assign(expected_.size(), KnownRowPlane());
   for (std::size_t k = 1; k < expected_.size(); ++k) {
-    Expected& e = expected_[k];
+    const Expected& e = expected_[k];
     const Eigen::Vector3d q(static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z));
     const Eigen::Matrix3d& known = e.covariance;
     const SeenPlane& seen = seen_[k - 1];
     const Eigen::Vector3d change =
         known * (Eigen::Matrix3d::Identity() + seen.rays * known).inverse() * (seen.rays_w - seen.rays * q);
     const Eigen::Vector3d fitted = q + change;
-    e.x = static_cast<float>(fitted.x());
-    e.y = static_cast<float>(fitted.y());
-    e.z = static_cast<float>(fitted.z());
     const double mean_w = near_[k].n > 0.0 ? near_[k].meanW() : std::abs(fitted.z());
-    e.slope_factor = static_cast<float>(slopeFactor(fitted, mean_w));
-    e.max_square = static_cast<float>(rule.max_residual * rule.max_residual) * e.slope_factor;
+    const double limit = rule.max_residual * rule.max_residual * slopeFactor(fitted, mean_w);
+    adapted_[k] = {static_cast<float>(fitted.x()), static_cast<float>(fitted.y()), static_cast<float>(fitted.z()),
+                   static_cast<float>(limit)};
   }
 }
 
-// What the first view says stands where the depth agrees, then what the next one says.
-void KnownRegions::labelSamples(const InverseDepthImage& image, const KnownPlanes& known, RegionMap& map,
-                                Continuation& continuation) {
-  beginCarrying(image, known, continuation.pose.camera_to_map);
+// What the first view says stands where the depth agrees, then what the next one says. What was no plane in the last
+// view was segmented in vain, and is passed over.
+void KnownRegions::labelSamples(const InverseDepthImage& image, RegionMap& map, Continuation& continuation) {
   continuation.from_first_view = continuation.from_views = 0;
+  new_.clear();
   continuation.samples =
       static_cast<std::size_t>(std::count_if(image.w.begin(), image.w.end(), [](float w) { return w > 0.0f; }));
   for (std::size_t view = 0; view < carried_.size(); ++view) {
     std::size_t count = 0;
     for (int row = 0; row < image.height; ++row)
-      count += takeLabels(image, row, carried_[view], map.labels.data() + image.index(row, 0));
+      count += takeLabels(image, row, view, map.labels.data() + image.index(row, 0));
     if (view == 0) continuation.from_first_view = count;
     continuation.from_views += count;
   }
+  spread(image, map);
 }
 
-std::size_t KnownRegions::takeLabels(const InverseDepthImage& image, int row, CarriedLabels& carried,
-                                     std::int32_t* labels) const {
-  const std::int32_t* pixels = carried.pixels(image, row);
-  const float* across = carried.across();
+// Blocks that have all their labels are passed over.
+std::size_t KnownRegions::takeLabels(const InverseDepthImage& image, int row, std::size_t view, std::int32_t* labels) {
+  CarriedLabels& carried = carried_[view];
+  const bool is_last = view + 1 == carried_.size();
   const auto along = static_cast<float>(image.along[static_cast<std::size_t>(row)]);
-  const float* w = image.w.data() + image.index(row, 0);
-  const float* weight = image.weight.data() + image.index(row, 0);
+  const std::size_t first = image.index(row, 0);
   std::size_t count = 0;
-  for (int column = 0; column < image.width; ++column) {
-    const std::int32_t label = carried.planeAt(pixels[column]);
-    const Expected& e = expected_[static_cast<std::size_t>(label)];
-    const float residual = w[column] - (e.x * across[column] + e.y * along + e.z);
-    const bool stands = (labels[column] == 0) & (label != 0) & (residual * residual * weight[column] <= e.max_square);
-    labels[column] = stands ? label : labels[column];
-    count += stands ? 1 : 0;
-  }
+  forOpenParts(labels, image.width, [&](int begin, int end) {
+    const std::size_t i = first + static_cast<std::size_t>(begin);
+    const KnownRow part = {image.w.data() + i, image.weight.data() + i, carried.across() + begin, along, end - begin};
+    const std::int32_t* const planes = carried.planes(image, row, begin, end);
+    count += takeExpected(part, adapted_.data(), planes, labels + begin);
+    if (is_last) markUnlabelled(part, planes, first + static_cast<std::size_t>(begin), labels + begin);
+  });
   return count;
 }
 
-// Single samples that miss their plane are of no surface: only blocks with enough of them, and those around, are
-// segmented anew.
-void KnownRegions::hideLabelled(InverseDepthImage& image, const RegionMap& map) {
-  const int columns = (image.width + kBlock - 1) / kBlock, rows = (image.height + kBlock - 1) / kBlock;
-  block_counts_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
-  const auto block = [&](int row, int column) {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
-  };
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column) {
-      const std::size_t i = image.index(row, column);
-      block_counts_[block(row / kBlock, column / kBlock)] += (map.labels[i] == 0) & (image.w[i] > 0.0f) ? 1 : 0;
-    }
-  all_w_ = image.w;
-  for (int block_row = 0; block_row < rows; ++block_row)
-    for (int block_column = 0; block_column < columns; ++block_column) {
-      bool taken = false;
-      for (int i = std::max(0, block_row - 1); i <= std::min(rows - 1, block_row + 1); ++i)
-        for (int j = std::max(0, block_column - 1); j <= std::min(columns - 1, block_column + 1); ++j)
-          taken |= block_counts_[block(i, j)] >= kEnoughOfBlock;
-      const int end_row = std::min(image.height, (block_row + 1) * kBlock);
-      const int end_column = std::min(image.width, (block_column + 1) * kBlock);
-      for (int row = block_row * kBlock; row < end_row; ++row)
-        for (int column = block_column * kBlock; column < end_column; ++column) {
-          const std::size_t i = image.index(row, column);
-          image.w[i] = taken && map.labels[i] == 0 ? image.w[i] : 0.0f;
-        }
-    }
+// As the last view has it: new, or no plane so far.
+void KnownRegions::markUnlabelled(const KnownRow& part, const std::int32_t* planes, std::size_t first,
+                                  std::int32_t* labels) {
+  for (int k = 0; k < part.count; ++k) {
+    if (labels[k] != 0 || planes[k] > 0 || !(part.w[k] > 0.0f)) continue;
+    labels[k] = planes[k] == kUnseen ? kNew : kPassedOver;
+    if (planes[k] == kUnseen) new_.push_back(first + static_cast<std::size_t>(k));
+  }
 }
 
-void KnownRegions::showAll(InverseDepthImage& image) {
-  image.w.swap(all_w_);
+// What is new beside a plane may be more of it: from the left and from above, then from the right and from below.
+void KnownRegions::spread(const InverseDepthImage& image, RegionMap& map) const {
+  const auto width = static_cast<std::size_t>(image.width);
+  const auto takeFrom = [&](std::size_t sample, std::size_t beside) {
+    const std::int32_t label = map.labels[beside];
+    if (label <= 0) return;
+    const KnownRowPlane& plane = adapted_[static_cast<std::size_t>(label)];
+    const auto across = static_cast<float>(image.across[sample % width]);
+    const auto along = static_cast<float>(image.along[sample / width]);
+    const float residual = image.w[sample] - (plane.x * across + plane.y * along + plane.z);
+    if (residual * residual * image.weight[sample] <= plane.max_square) map.labels[sample] = label;
+  };
+  for (auto i = new_.begin(); i != new_.end(); ++i) {
+    if (*i % width > 0) takeFrom(*i, *i - 1);
+    if (map.labels[*i] == kNew && *i >= width) takeFrom(*i, *i - width);
+  }
+  for (auto i = new_.rbegin(); i != new_.rend(); ++i) {
+    if (map.labels[*i] == kNew && *i % width + 1 < width) takeFrom(*i, *i + 1);
+    if (map.labels[*i] == kNew && *i + width < map.labels.size()) takeFrom(*i, *i + width);
+    if (map.labels[*i] == kNew) map.labels[*i] = 0;
+  }
 }
 
 }  // namespace epcc

@@ -8,6 +8,7 @@
 #include "epcc_segmentation/known_planes.h"
 #include "inverse_depth/carried_labels.h"
 #include "inverse_depth/inverse_depth_image.h"
+#include "inverse_depth/known_row.h"
 #include "inverse_depth/region_map.h"
 #include "over_time/pose_alignment.h"
 
@@ -24,38 +25,37 @@ class KnownRegions {
   };
 
   /// The first labels of `map` become those of the known planes, on the samples that are expected to be theirs and lie
-  /// within max_residual of them. Where a plane is expected and what is seen are brought together first: the expected
-  /// plane with its covariance and the samples near it, as far as their error is independent.
+  /// within max_residual of them, and on what is new beside these; kPassedOver, unless all is searched, on those that
+  /// the last view knows as no plane. Where a plane is expected and what is seen are brought together first: the
+  /// expected plane with its covariance and the samples near it, as far as their error is independent.
   void label(const InverseDepthImage& image, const KnownPlanes& known, const Rule& rule, RegionMap& map,
              Continuation& continuation);
-  /// Leaves of the image the samples without a label, where there are enough of them to be something.
-  void hideLabelled(InverseDepthImage& image, const RegionMap& map);
-  /// Takes that back.
-  void showAll(InverseDepthImage& image);
 
  private:
   struct Expected {
     float x, y, z;  ///< q
     float c[6];     ///< covariance of q, xx xy xz yy yz zz
     float slope_factor;
-    float max_square;  ///< of a residual, in variances of w
     Eigen::Matrix3d covariance;
   };
+  void carryFrom(const KnownPlanes& known, const Isometry3& pose);
   void expect(const KnownPlanes& known, const UncertainPose& pose);
-  void beginCarrying(const InverseDepthImage& image, const KnownPlanes& known, const Isometry3& pose);
-  void lookNear(const InverseDepthImage& image, const KnownPlanes& known, const Isometry3& pose, const Rule& rule);
-  void lookNearInRow(const InverseDepthImage& image, int row, const Rule& rule, CarriedLabels& carried);
-  std::size_t takeLabels(const InverseDepthImage& image, int row, CarriedLabels& carried, std::int32_t* labels) const;
+  void lookNear(const InverseDepthImage& image, const Rule& rule);
+  const std::int32_t* expectedInRow(const InverseDepthImage& image, int row);
+  void lookNearInRow(const InverseDepthImage& image, int row, const Rule& rule);
   void adapt(const Rule& rule);
-  void labelSamples(const InverseDepthImage& image, const KnownPlanes& known, RegionMap& map,
-                    Continuation& continuation);
+  void labelSamples(const InverseDepthImage& image, RegionMap& map, Continuation& continuation);
+  std::size_t takeLabels(const InverseDepthImage& image, int row, std::size_t view, std::int32_t* labels);
+  void markUnlabelled(const KnownRow& part, const std::int32_t* planes, std::size_t first, std::int32_t* labels);
+  void spread(const InverseDepthImage& image, RegionMap& map) const;
 
   std::vector<Expected> expected_;      ///< by label
   std::vector<PlaneMoments> near_;      ///< by label
   std::vector<SeenPlane> seen_;         ///< the same, per plane
+  std::vector<KnownRowPlane> adapted_;  ///< by label
   std::vector<CarriedLabels> carried_;  ///< per view
-  std::vector<float> all_w_;
-  std::vector<int> block_counts_;
+  std::vector<std::int32_t> row_expected_;
+  std::vector<std::size_t> new_;  ///< samples that no view shows
 };
 
 }  // namespace epcc

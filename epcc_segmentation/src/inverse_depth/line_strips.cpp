@@ -38,10 +38,33 @@ void LineStrips::makeRoom(StripMemory& memory) const {
   memory.growing.makeRoom(length_);
 }
 
+// Where a tracker has explained all samples nothing is grown.
+bool LineStrips::isEmpty(const InverseDepthImage& image, int first, int count) const {
+  const auto width = static_cast<std::size_t>(image.width);
+  const auto skip = static_cast<std::size_t>(first), lines = static_cast<std::size_t>(count);
+  const float* w = image.w.data() + (columns_ ? skip : skip * width);
+  const std::size_t rows = columns_ ? static_cast<std::size_t>(image.height) : lines, run = columns_ ? lines : width;
+  for (std::size_t row = 0; row < rows; ++row, w += width)
+    if (std::any_of(w, w + run, [](float value) { return value > 0.0f; })) return false;
+  return true;
+}
+
+void LineStrips::leaveEmpty(int first, int count, std::size_t width) {
+  std::fill_n(line_count_.begin() + first, ScanLines::kCount, 0);
+  std::int32_t* segment = segment_of_.data() + static_cast<std::size_t>(first) * (columns_ ? 1 : width);
+  const std::size_t rows = static_cast<std::size_t>(columns_ ? length_ : count);
+  for (std::size_t row = 0; row < rows; ++row, segment += width)
+    std::fill_n(segment, columns_ ? static_cast<std::size_t>(count) : width, -1);
+}
+
 void LineStrips::grow(const InverseDepthImage& image, int strip, StripMemory& memory) {
   const int first = strip * ScanLines::kCount;
   const int count = std::min(ScanLines::kCount, scan_lines_ - first);
   const auto width = static_cast<std::size_t>(image.width);
+  if (isEmpty(image, first, count)) {
+    leaveEmpty(first, count, width);
+    return;
+  }
   const std::size_t start = static_cast<std::size_t>(first) * (columns_ ? 1 : width);
   const bool in_place = columns_ && count == ScanLines::kCount;
   ScanLines scan_lines;

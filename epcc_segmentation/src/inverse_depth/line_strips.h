@@ -40,6 +40,9 @@ class LineStrips {
   const std::vector<std::int32_t>& segmentOf() const { return segment_of_; }
 
  private:
+  bool isEmpty(const InverseDepthImage& image, int first, int count) const;
+  void leaveEmpty(int first, int count, std::size_t width);
+
   bool columns_;
   int scan_lines_ = 0;
   int length_ = 0;

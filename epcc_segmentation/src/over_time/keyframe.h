@@ -13,14 +13,13 @@ namespace epcc {
 
 struct Keyframe {
   /// Row-major; 0 none, k the plane of track_of_plane[k - 1]. Null before there was a frame.
-  std::shared_ptr<const std::vector<std::int32_t>> labels;
+  std::shared_ptr<std::vector<std::int32_t>> labels;
   int width = 0, height = 0;
   std::vector<int> track_of_plane;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< camera to map
 
-  Keyframe() = default;
-  /// Of as many rows and columns as a frame of this size is segmented on.
-  Keyframe(const PlaneSegmentation& segmentation, const std::vector<int>& tracks, const Eigen::Isometry3d& camera);
+  /// Of as many rows and columns as a frame of this size is segmented on. What others hold of the labels stays.
+  void take(const PlaneSegmentation& segmentation, const std::vector<int>& tracks, const Eigen::Isometry3d& camera);
 };
 
 /// Pixels of a frame that a label of its keyframe stands for, in each direction.

@@ -42,10 +42,11 @@ TEST(CarriedLabels, ASampleIsWhereItsPointIsSeen) {
   now.translation() << 0.1, -0.05, 0.08;
   test::onEveryVectorUnit([&] {
     CarriedLabels carried;
-    carried.begin(image, view, now);
+    carried.begin(image, view);
+    carried.carryFrom(Isometry3(now), view.camera_to_map);
     int inside = 0;
     for (int row = 0; row < image.height; ++row) {
-      const std::int32_t* pixels = carried.pixels(image, row);
+      const std::int32_t* planes = carried.planes(image, row, 0, image.width);
       for (int column = 0; column < image.width; ++column) {
         Eigen::Vector3d point = Eigen::Vector3d::Zero();
         const bool measured = room.frame().point(row, column, point);
@@ -55,9 +56,8 @@ TEST(CarriedLabels, ASampleIsWhereItsPointIsSeen) {
         const bool seen = measured && point.z() > 0.0 && x >= 0.0 && x < camera.width && y >= 0.0 && y < camera.height;
         if (std::min(std::abs(x - std::round(x)), std::abs(y - std::round(y))) < 1e-3) continue;  // rounding decides
         const std::int32_t expected =
-            seen ? static_cast<std::int32_t>(y) * camera.width + static_cast<std::int32_t>(x) : -1;
-        ASSERT_EQ(pixels[column], expected) << row << ' ' << column;
-        EXPECT_EQ(carried.planeAt(pixels[column]), expected + 1);
+            seen ? static_cast<std::int32_t>(y) * camera.width + static_cast<std::int32_t>(x) + 1 : kUnseen;
+        ASSERT_EQ(planes[column], expected) << row << ' ' << column;
         inside += seen ? 1 : 0;
       }
     }
@@ -72,12 +72,28 @@ TEST(CarriedLabels, AViewOfFewerPixelsCoversTheSameFrame) {
   image.read(room.frame());
   KnownView view = numberedView(test::testCamera(32, 24));
   CarriedLabels carried;
-  carried.begin(image, view, Isometry3::Identity());
+  carried.begin(image, view);
+  carried.carryFrom(Isometry3::Identity(), view.camera_to_map);
   for (const int row : {0, 1, 17, 47}) {
-    const std::int32_t* pixels = carried.pixels(image, row);
+    const std::int32_t* planes = carried.planes(image, row, 0, image.width);
     for (const int column : {0, 1, 30, 63})
-      EXPECT_EQ(pixels[column], row / 2 * 32 + column / 2) << row << ' ' << column;
+      EXPECT_EQ(planes[column], row / 2 * 32 + column / 2 + 1) << row << ' ' << column;
   }
+}
+
+TEST(CarriedLabels, APartOfARowIsThatPart) {
+  const PinholeCamera camera = test::testCamera(61, 45);
+  const test::RenderedRoom room = test::renderRoom(test::cornerPlanes(), camera);
+  InverseDepthImage image;
+  image.read(room.frame());
+  CarriedLabels carried;
+  const KnownView view = numberedView(camera);
+  carried.begin(image, view);
+  carried.carryFrom(Isometry3::Identity(), view.camera_to_map);
+  const std::int32_t* row = carried.planes(image, 20, 0, image.width);
+  const std::vector<std::int32_t> whole(row, row + image.width);
+  const std::int32_t* part = carried.planes(image, 20, 17, 40);
+  EXPECT_TRUE(std::equal(part, part + 23, whole.begin() + 17));
 }
 
 }  // namespace

@@ -116,6 +116,57 @@ TEST(PlaneTracker, APlaneThatComesBackHasItsLabel) {
   for (const auto& [surface, numbers] : labels) EXPECT_EQ(numbers.size(), 1u) << surface;
 }
 
+TEST(PlaneTracker, AJumpOfGivenPosesIsNotedAndTheMapStays) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame tracked;
+  LabelsOfSurfaces labels;
+  Eigen::Isometry3d jump = Eigen::Isometry3d::Identity();
+  for (int k = 0; k < 60; ++k) {
+    if (k == 25) jump.translation() << 0.3, -0.1, 0.4;
+    const test::RenderedRoom room = roomFrom(cameraAt(k), static_cast<unsigned>(k));
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(jump * cameraAt(k)), k / 30.0, tracked)) << tracker.error();
+    EXPECT_EQ(tracked.pose_jumped, k == 25) << k;
+    const Eigen::Isometry3d error = cameraAt(k).inverse() * Eigen::Isometry3d(tracked.pose.camera_to_map);
+    EXPECT_LT(error.translation().norm(), 0.02) << k;
+    noteLabels(room, tracked, labels);
+  }
+  for (const auto& [surface, numbers] : labels) EXPECT_EQ(numbers.size(), 1u) << surface;
+  EXPECT_EQ(tracker.tracks().size(), test::cornerPlanes().size());
+}
+
+TEST(PlaneTracker, AHastyMoveOfTheCameraIsNoJump) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame tracked;
+  LabelsOfSurfaces labels;
+  for (int k = 0; k < 40; ++k) {
+    const Eigen::Isometry3d camera = cameraAt(k < 20 ? k : k + 30);  // as if a second of frames were lost
+    const test::RenderedRoom room = roomFrom(camera, static_cast<unsigned>(k));
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(camera), k / 30.0, tracked)) << tracker.error();
+    EXPECT_FALSE(tracked.pose_jumped) << k;
+    noteLabels(room, tracked, labels);
+  }
+  for (const auto& [surface, numbers] : labels) EXPECT_EQ(numbers.size(), 1u) << surface;
+}
+
+TEST(PlaneTracker, WhatIsNewIsFoundBetweenSearches) {
+  TrackerParameters rarely;
+  rarely.search_frames = 1000;
+  PlaneTracker tracker(rarely, Parameters(), kSensor);
+  TrackedFrame tracked;
+  std::int32_t label = 0;
+  for (int k = 0; k < 16; ++k) {
+    test::RenderedRoom room = roomFrom(cameraAt(0), static_cast<unsigned>(k));
+    const int width = room.camera.width, height = room.camera.height;
+    if (k >= 8)  // something comes into the picture
+      for (int row = height / 4; row < height / 2; ++row)
+        for (int column = width / 4; column < width / 2; ++column)
+          room.depth[static_cast<std::size_t>(row * width + column)] = 0.6f;
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), k / 30.0, tracked)) << tracker.error();
+    label = tracked.labels[static_cast<std::size_t>(3 * height / 8 * width + 3 * width / 8)];
+  }
+  EXPECT_GT(label, static_cast<std::int32_t>(test::cornerPlanes().size()));
+}
+
 TEST(PlaneTracker, TheSameFramesGiveTheSameLabels) {
   std::vector<std::int32_t> first;
   for (int run = 0; run < 2; ++run) {

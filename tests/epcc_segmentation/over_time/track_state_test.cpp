@@ -91,14 +91,18 @@ TEST(Keyframe, HoldsEveryOtherPixelOfALargeFrame) {
   segmentation.height = 480;
   segmentation.labels.assign(640 * 480, 0);
   segmentation.labels[641 + 2] = 5;  // row 1, column 3
-  const Keyframe frame(segmentation, {}, Eigen::Isometry3d::Identity());
+  Keyframe frame;
+  frame.take(segmentation, {}, Eigen::Isometry3d::Identity());
   EXPECT_EQ(frame.width, 320);
   EXPECT_EQ(frame.height, 240);
   EXPECT_EQ((*frame.labels)[1], 5);
   EXPECT_EQ((*frame.labels)[0], 0);
   segmentation.width = segmentation.height = 1;
   segmentation.labels = {3};
-  EXPECT_EQ(*Keyframe(segmentation, {}, Eigen::Isometry3d::Identity()).labels, std::vector<std::int32_t>{3});
+  const Keyframe before = frame;
+  frame.take(segmentation, {}, Eigen::Isometry3d::Identity());
+  EXPECT_EQ(*frame.labels, std::vector<std::int32_t>{3});
+  EXPECT_GT(before.labels->size(), 1u) << "what others hold stays";
 }
 
 }  // namespace
