@@ -85,6 +85,8 @@ std::string trackSummary(const TrackOptions& options, const TrackResult& result)
   if (result.without_start > 0)
     text += line("%ld frames left out, for they come before the first pose of %s\n", result.without_start,
                  options.poses.c_str());
+  for (const std::string& name : result.jumps)
+    text += line("the given poses jumped at frame %s; the map goes on without the jump\n", name.c_str());
   const Table table = largestTracks(result.tracks);
   return table.rows.empty() ? text : text + textTable(table);
 }

@@ -108,6 +108,7 @@ class TrackRun {
   void remember(const SequenceFrame& read, std::size_t i, double track_ms) {
     result.names.push_back(read.frame.name);
     result.places.push_back(i);
+    if (tracked_.pose_jumped) result.jumps.push_back(read.frame.name);
     result.trajectory.push_back({read.time, Eigen::Isometry3d(tracked_.pose.camera_to_map)});
     if (read.pose) result.truth.push_back({read.time, *read.pose});
     for (const double square : tracked_.squared_error) result.squared_errors.add(square);

@@ -25,6 +25,7 @@ struct TrackResult {
   std::string sensor;                       ///< its name
   std::unique_ptr<TrackMeasures> measures;  ///< if they were asked for
   long without_start = 0;                   ///< frames left out because they come before the first pose of a trajectory
+  std::vector<std::string> jumps;           ///< frames at which the given poses jumped
   long problems = 0;                        ///< frames that could not be used
 };
 

@@ -100,6 +100,15 @@ TEST_F(TrackCommand, LeavesAllItsFiles) {
   EXPECT_EQ(std::count(times.begin(), times.end(), '\n'), static_cast<long>(kFrames) + 1);
 }
 
+TEST_F(TrackCommand, AJumpOfTheTrajectoryIsTold) {
+  Trajectory jumps = readTrajectory(frames() + "/groundtruth.txt");
+  for (std::size_t i = 12; i < jumps.size(); ++i) jumps[i].pose.translation() += Eigen::Vector3d(0.3, 0.2, 0.35);
+  writeTrajectory(path("jumps.txt"), jumps);
+  const std::string out = outputOf({frames(), "--poses", path("jumps.txt"), "--out", path("o")});
+  EXPECT_NE(out.find("the given poses jumped at frame " + frameName(12)), std::string::npos) << out;
+  EXPECT_EQ(outputOf({frames(), "--out", path("p")}).find("jumped"), std::string::npos);
+}
+
 TEST_F(TrackCommand, LargeSurfacesKeepTheirLabel) {
   outputOf({frames(), "--out", path("o")});
   std::map<int, std::set<int>> labels;
