@@ -18,6 +18,7 @@ void bindPlane(pybind11::module_& module);
 void bindContours(pybind11::module_& module);
 void bindSegmentation(pybind11::module_& module);
 void bindExtractor(pybind11::module_& module);
+void bindPlaneTracker(pybind11::module_& module);
 void bindStreamGeometry(pybind11::module_& module);
 void bindScanLineStream(pybind11::module_& module);
 void bindVectorUnit(pybind11::module_& module);

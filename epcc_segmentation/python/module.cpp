@@ -21,6 +21,7 @@ PYBIND11_MODULE(_epcc, module) {
   bindContours(module);
   bindSegmentation(module);
   bindExtractor(module);
+  bindPlaneTracker(module);
   bindStreamGeometry(module);
   bindScanLineStream(module);
   bindVectorUnit(module);

@@ -115,8 +115,8 @@ def test_classes_have_what_the_stubs_say(name):
             assert len(stub_arguments(node)) == len(real_arguments(getattr(owner, member))), member
             if not member.startswith("__"):
                 assert stub_arguments(node) == real_arguments(getattr(owner, member)), member
-    if "__init__" in stubbed and name in ("PinholeCamera", "CloudOptions", "PlaneExtractor", "SensorEstimator",
-                                          "SensorPose", "Parameters"):
+    if "__init__" in stubbed and name in ("PinholeCamera", "CloudOptions", "PlaneExtractor", "PlaneTracker",
+                                          "SensorEstimator", "SensorPose", "Parameters"):
         assert stub_arguments(stubbed["__init__"][1]) == real_arguments(owner.__init__)
     has_init = (owner.__init__.__doc__ or "").startswith("__init__(") or name.startswith(("InverseDepth", "Paper"))
     assert ("__init__" in stubbed) == has_init, "what cannot be made has no __init__ in the stubs"

@@ -111,6 +111,8 @@ class EPCC_CORE_EXPORT PlaneTracker {
   const std::string& error() const;
   /// How long the segmentation of the last frame took, stage by stage. What known planes take is part of `lines`.
   const StageTimes& times() const;
+  /// Of the last frame: as it was given, or as it is measured.
+  const SensorModel& sensor() const;
   /// How many times the covariance of a frame's planes their error has been so far, at least 1. It is taken into
   /// account.
   double errorScale() const;

@@ -56,6 +56,10 @@ const StageTimes& PlaneTracker::times() const {
   return state_->extractor.times();
 }
 
+const SensorModel& PlaneTracker::sensor() const {
+  return state_->extractor.sensor();
+}
+
 double PlaneTracker::errorScale() const {
   return state_->error_scale;
 }
