@@ -23,8 +23,9 @@ inline epcc::PinholeCamera camera() {
 }
 
 /// Depth in metres, row by row: a floor 1 m below the camera, a wall 3 m ahead, a wall 1.5 m to the right. The noise
-/// has a standard deviation of 0.001 z^2 on what faces the camera, and more on what is slanted.
-inline std::vector<float> depthOfRoom(unsigned seed = 0) {
+/// has a standard deviation of 0.001 z^2 on what faces the camera, and more on what is slanted. The camera may be
+/// further forward, metres.
+inline std::vector<float> depthOfRoom(unsigned seed = 0, double forward = 0.0) {
   const epcc::PinholeCamera c = camera();
   std::mt19937 random(seed);
   std::vector<float> depth;
@@ -32,7 +33,8 @@ inline std::vector<float> depthOfRoom(unsigned seed = 0) {
     for (int column = 0; column < c.width; ++column) {
       const double down = (row - c.cy) / c.fy;
       const double right = (column - c.cx) / c.fx;
-      const double inverse_depth = std::max({1.0 / 3.0, down / 1.0, right / 1.5});  // the nearest of the three
+      // The nearest of the three.
+      const double inverse_depth = std::max({1.0 / (3.0 - forward), down / 1.0, right / 1.5});
       const double z = 1.0 / inverse_depth;
       const double slope = inverse_depth == down / 1.0 ? z / 1.0 : inverse_depth == right / 1.5 ? z / 1.5 : 0.0;
       double normal = -6.0;  // twelve even numbers add up to nearly normal ones, the same on every machine
