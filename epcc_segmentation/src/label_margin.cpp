@@ -19,10 +19,8 @@ namespace {
 void keep(const std::int32_t* labels, const std::int32_t* above, const std::int32_t* below, std::size_t count,
           std::size_t margin, std::int32_t* HWY_RESTRICT inside) {
   const std::int32_t *before = labels - margin, *after = labels + margin;
-  // All bits of a label that is positive and another one; labels are not negative but where they count as 0.
-  const auto other = [](std::int32_t label, std::int32_t here) {
-    return -static_cast<std::int32_t>(label > 0) & -static_cast<std::int32_t>(label != here);
-  };
+  // All bits of another label.
+  const auto other = [](std::int32_t label, std::int32_t here) { return -static_cast<std::int32_t>(label != here); };
   for (std::size_t i = 0; i < count; ++i) {
     const std::int32_t here = labels[i];
     inside[i] =
@@ -37,12 +35,11 @@ void keep(const std::int32_t* labels, const std::int32_t* above, const std::int3
   namespace hn = hwy::HWY_NAMESPACE;
   const hn::CappedTag<std::int32_t, kBehindLabels> d;
   constexpr std::size_t kLanes = hn::MaxLanes(d);
-  const auto zero = hn::Zero(d);
   for (std::size_t i = 0; i < count; i += kLanes) {
     const auto here = hn::LoadU(d, labels + i);
     const auto other = [&](const std::int32_t* row) HWY_ATTR {
       const auto label = hn::LoadU(d, row + i);
-      return hn::AndNot(hn::VecFromMask(d, hn::Eq(label, here)), hn::VecFromMask(d, hn::Gt(label, zero)));
+      return hn::Not(hn::VecFromMask(d, hn::Eq(label, here)));
     };
     const auto near =
         hn::Or(hn::Or(other(labels - margin), other(labels + margin)), hn::Or(other(above), other(below)));

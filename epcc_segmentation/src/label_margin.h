@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which labels of a row have no other label near them.
+// Which labels of a row have none but their own near them.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace epcc {
 constexpr std::size_t kBehindLabels = 16;
 
 /// inside[i] is labels[i], or 0 if at i - margin or i + margin in the row, or at i in the row above or below, there is
-/// another label that is not 0. `margin` labels before and after the row are read too.
+/// another label, or none. `margin` labels before and after the row are read too.
 void keepInside(const std::int32_t* labels, const std::int32_t* above, const std::int32_t* below, std::size_t count,
                 std::size_t margin, std::int32_t* inside);
 

@@ -99,6 +99,8 @@ void PlaneFitter::sumBand(const DepthFrame& image, Sums sums, const FitSamples& 
       const std::size_t place = static_cast<std::size_t>(i) * pitch_ + static_cast<std::size_t>(samples.margin);
       std::int32_t* const kept = sampled_labels_.data() + place;
       if (!readLabels(row.labels, image.width(), samples, kept)) continue;
+      std::fill_n(kept - samples.margin, samples.margin, kept[0]);  // beyond the image is no other label
+      std::fill_n(kept + row.count, samples.margin, kept[row.count - 1]);
       row.labels = kept;
     } else if (!is_whole || takes_only_) {
       if (!readLabels(row.labels, image.width(), samples, band.labels.data())) continue;
@@ -284,7 +286,7 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
     const auto rows = static_cast<std::size_t>(samplesAlong(image.height(), samples));
     const std::size_t pitch = columns + 2 * static_cast<std::size_t>(samples.margin) + kBehindLabels;
     if (pitch != pitch_ || pitch * rows != sampled_labels_.size()) sampled_labels_.assign(pitch * rows, 0);
-    pitch_ = pitch;  // what lies beside the rows stays 0
+    pitch_ = pitch;
   }
   sumAll(image, Sums::OfPoints, samples, threads, segmentation.labels);
   has_sparse_ = false;

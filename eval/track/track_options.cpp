@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <ostream>
 #include <set>
+#include <system_error>
 
 #include "datasets/files/text_lines.h"
 #include "datasets/support/degree.h"
@@ -42,7 +44,12 @@ struct RawOptions {
 /// A range that the help leaves to the text of the option.
 template <typename Number>
 CLI::Validator within(Number low, Number high) {
-  return CLI::Range(low, high).description("");
+  CLI::Validator range = CLI::Range(low, high);
+  const auto inside = [range](std::string& text) {
+    const auto number = numberFrom(text);
+    return number && std::isnan(*number) ? "Value " + text + " not in range" : range(text);
+  };
+  return CLI::Validator(inside, "");
 }
 
 /// Empty if `text` is METRES,DEGREES, else what is wrong.
@@ -93,6 +100,10 @@ std::string setOptions(const RawOptions& raw, TrackOptions& options) {
     problem = setSigmas("--motion-sigma", raw.motion_sigma, options.tracker.motion_offset_sigma,
                         options.tracker.motion_angle_sigma);
   if (problem.empty()) problem = setLags(raw.lags, options.lags);
+  const std::filesystem::path trajectory = std::filesystem::path(options.out) / "trajectory.txt";
+  std::error_code none_there;
+  if (problem.empty() && !options.poses.empty() && std::filesystem::equivalent(options.poses, trajectory, none_there))
+    problem = "--out: " + trajectory.string() + " would overwrite the file of --poses";
   if (problem.empty()) problem = setParameters(raw.assignments, options.parameters);
   options.measure |= options.compare_single;
   return problem;
@@ -110,7 +121,7 @@ void addSequenceOptions(CLI::App& app, TrackOptions& options) {
   add("--max-time-difference", options.max_time_difference, "S", "Of a frame and a pose of FILE, seconds (0.02)")
       ->check(within(0.0, 10.0));
   add("--rate", options.rate, "HZ", "Frames a second where frames have no times (30)")->check(within(0.01, 10000.0));
-  add("--first", options.first, "N", "Frame to start with, from 0 (0)");
+  add("--first", options.first, "N", "Frame to start with, from 0 (0)")->check(within(0, 100000000));
   add("--every", options.every, "N", "Take each N-th frame (1)")->check(within(1, 1000000));
   add("--frames", options.count, "N", "Take so many at most (all)")->check(within(1, 100000000));
 }

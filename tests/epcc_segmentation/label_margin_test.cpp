@@ -22,14 +22,16 @@ std::vector<std::int32_t> inside(const std::vector<std::int32_t>& rows, std::siz
   return result;
 }
 
-TEST(LabelMargin, IsWhereAnotherLabelIsNearButNotWhereNoneIs) {
+TEST(LabelMargin, IsWhereAnotherLabelIsNearOrNone) {
   constexpr std::size_t kPitch = 5 + 2 + kBehindLabels;
   std::vector<std::int32_t> rows(3 * kPitch, 0);
   const std::vector<std::int32_t> above = {1, 1, 0, 2, 2}, middle = {1, 1, 1, 2, 2}, below = {1, 3, 1, 0, 2};
   std::copy(above.begin(), above.end(), rows.begin() + 1);
   std::copy(middle.begin(), middle.end(), rows.begin() + kPitch + 1);
   std::copy(below.begin(), below.end(), rows.begin() + 2 * kPitch + 1);
-  EXPECT_EQ(inside(rows, kPitch, 5, 1), (std::vector<std::int32_t>{1, 0, 0, 0, 2}));
+  EXPECT_EQ(inside(rows, kPitch, 5, 1), (std::vector<std::int32_t>{0, 0, 0, 0, 0}));
+  rows[kPitch] = 1;  // before the first
+  EXPECT_EQ(inside(rows, kPitch, 5, 1), (std::vector<std::int32_t>{1, 0, 0, 0, 0}));
 }
 
 TEST(LabelMargin, IsThatOfAPlainLoopOnEveryVectorUnit) {
@@ -44,7 +46,7 @@ TEST(LabelMargin, IsThatOfAPlainLoopOnEveryVectorUnit) {
         const std::int32_t* here = rows.data() + pitch + margin + i;
         bool is_near = false;
         for (const std::int32_t label : {*(here - margin), *(here + margin), *(here - pitch), *(here + pitch)})
-          is_near = is_near || (label > 0 && label != *here);
+          is_near = is_near || label != *here;
         expected.push_back(is_near ? 0 : *here);
       }
       test::onEveryVectorUnit([&] { EXPECT_EQ(inside(rows, pitch, count, margin), expected) << count; });

@@ -76,3 +76,11 @@ def test_what_cannot_be_used_is_refused_and_the_next_frame_taken(camera, depth):
     with pytest.raises(epcc.InputError, match="confirm_frames must be from 1 to 1000"):
         epcc.PlaneTracker(confirm_frames=0)
     assert len(tracker.track(depth, camera).segmentation.planes) == 3
+
+
+def test_clouds_in_other_units_and_frames_have_labels_that_last(camera, cloud):
+    turned = numpy.ascontiguousarray(cloud[..., [2, 0, 1]] * numpy.float32([1000, -1000, -1000]))  # x forward, mm
+    tracker = epcc.PlaneTracker(sensor=SENSOR)
+    frames = [tracker.track(turned, pose=numpy.eye(4), time=k / 30) for k in range(6)]
+    assert not frames[1].labels.any() and len(numpy.unique(frames[5].labels)) >= 4
+    numpy.testing.assert_array_equal(frames[5].labels, frames[3].labels)

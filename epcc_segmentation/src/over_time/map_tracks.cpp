@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMaxSquare = 16.3;    // of a chi^2 of three parameters, once in a thousand
 constexpr double kCellOfDepth = 0.05;  // size of a cell by the distance that it was first seen from
+constexpr double kLeastCosine = 0.94;  // 20 degrees
 constexpr double kMinOverlap = 0.3;    // of a plane's places, where a track was seen before
 constexpr double kMostOfVotes = 0.5;
 constexpr double kLeastCell = 1e-3;  // metres
@@ -21,13 +22,13 @@ int MapTracks::alive(int track) const {
   return track >= 0 && at(track).end == TrackEnd::None ? track : -1;
 }
 
-int MapTracks::find(const SeenInMap& seen) const {
+int MapTracks::find(const SeenInMap& seen, bool young_too) const {
   int best = -1;
   double best_overlap = kMinOverlap;
   const Eigen::Vector3d& middle = seen.places[seen.places.size() / 2];
   for (std::size_t k = 0; k < tracks_.size(); ++k) {
     const TrackState& track = tracks_[k];
-    if (track.end != TrackEnd::None || track.label == 0) continue;
+    if (track.end != TrackEnd::None || (track.label == 0 && !young_too)) continue;
     if (squaredDifference(seen.again, track.plane, middle) > kMaxSquare) continue;
     const auto near = std::count_if(seen.places.begin(), seen.places.end(),
                                     [&track](const Eigen::Vector3d& place) { return track.cells.isNear(place); });
@@ -55,7 +56,9 @@ int MapTracks::birth(const SeenInMap& seen, const Eigen::Vector3d& camera, const
 
 void MapTracks::see(int number, const SeenInMap& seen, const FrameTime& now) {
   TrackState& track = state(number);
-  if (track.frames > 0) track.join(seen.plane, seen.centroid, 2.0 * parameters_.memory_frames);
+  // What is left of a wall at the edge of a picture may be turned by any angle: it says nothing of the wall.
+  const bool is_like = seen.plane.coefficients.head<3>().dot(track.plane.coefficients.head<3>()) > kLeastCosine;
+  if (track.frames > 0 && is_like) track.join(seen.plane, seen.centroid, 2.0 * parameters_.memory_frames);
   // What is seen best counts most: a wall is none the less one when its last sliver leaves the picture.
   track.weight += seen.pixels;
   const double share = seen.pixels / std::max(1.0, track.weight);

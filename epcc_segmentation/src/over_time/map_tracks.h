@@ -39,8 +39,9 @@ class MapTracks {
   /// The track itself, or the one that it went up in; -1 if that has ended.
   int alive(int track) const;
   /// A plane that continues none may be one that was out of sight, or a piece of one that is seen elsewhere: a track
-  /// with a label, a place nearby and parameters that agree. -1 if there is none.
-  int find(const SeenInMap& seen) const;
+  /// with a label, or any where none continues by itself, a place nearby and parameters that agree. -1 if there is
+  /// none.
+  int find(const SeenInMap& seen, bool young_too) const;
   int birth(const SeenInMap& seen, const Eigen::Vector3d& camera, const FrameTime& now);
   void see(int track, const SeenInMap& seen, const FrameTime& now);
 

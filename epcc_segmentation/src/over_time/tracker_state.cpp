@@ -179,12 +179,13 @@ std::vector<SeenInMap> PlaneTracker::State::seenPlanes(const DepthFrame& depth, 
 void PlaneTracker::State::assign(const std::vector<SeenInMap>& seen, double time) {
   const FrameTime now{frame, time};
   track_of_plane.assign(seen.size(), -1);
+  const bool nothing_continues = continuation.samples == 0;  // clouds in other frames, and the paper mode
   for (std::size_t k = 0; k < seen.size(); ++k)
     if (continuation.continues[k] >= 0)
       track_of_plane[k] = known_tracks[static_cast<std::size_t>(continuation.continues[k])];
   for (std::size_t k = 0; k < seen.size(); ++k) {
     if (track_of_plane[k] >= 0) continue;
-    track_of_plane[k] = tracks.find(seen[k]);
+    track_of_plane[k] = tracks.find(seen[k], nothing_continues);
     if (track_of_plane[k] < 0) track_of_plane[k] = tracks.birth(seen[k], pose.translation(), now);
   }
   for (std::size_t k = 0; k < seen.size(); ++k) tracks.see(track_of_plane[k], seen[k], now);

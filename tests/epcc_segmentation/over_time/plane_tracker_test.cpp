@@ -210,6 +210,16 @@ TEST(PlaneTracker, NonsenseIsRefusedAndTheNextFrameIsTaken) {
   EXPECT_EQ(wrong.validate(), "pose_offset_sigma must be above 0 and at most 10 m");
 }
 
+TEST(PlaneTracker, InThePaperModePlanesAreFoundByTheirPlace) {
+  PlaneTracker tracker(TrackerParameters(), Parameters::forPaper(), kSensor);
+  TrackedFrame tracked;
+  for (int k = 0; k < 6; ++k)
+    ASSERT_TRUE(tracker.track(roomFrom(cameraAt(0), static_cast<unsigned>(k)).frame(), Isometry3(cameraAt(0)), k / 30.0,
+                              tracked));
+  EXPECT_GE(tracker.tracks().size(), test::cornerPlanes().size());
+  EXPECT_GT(*std::max_element(tracked.labels.begin(), tracked.labels.end()), 0);
+}
+
 TEST(PlaneTracker, AnEmptyFrameBetweenOthersLosesNothing) {
   PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
   TrackedFrame tracked;

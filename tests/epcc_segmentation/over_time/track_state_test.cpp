@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "over_time/keyframe.h"
+#include "over_time/map_tracks.h"
 #include "over_time/pair_votes.h"
 
 namespace epcc {
@@ -83,6 +84,23 @@ TEST(PairVotes, TheLastOnesCount) {
   EXPECT_EQ(votes.counts()[0].all, 4);
   votes.forget({3, 7});
   EXPECT_TRUE(votes.counts().empty());
+}
+
+TEST(MapTracks, ASliverDoesNotTurnItsWall) {
+  MapTracks tracks((TrackerParameters()));
+  SeenInMap seen;
+  seen.plane = seen.again = wallAt(2.0, 0.01, 0.01);
+  seen.places = {kPlace};
+  seen.centroid = kPlace;
+  seen.pixels = 1000.0;
+  const int wall = tracks.birth(seen, Eigen::Vector3d::Zero(), {});
+  tracks.see(wall, seen, {1, 0.1});
+  const Eigen::Vector4d before(tracks.at(wall).plane.coefficients);
+  const Eigen::Vector3d normal(0.95, 0.0, -std::sqrt(1.0 - 0.95 * 0.95));
+  seen.plane.coefficients << normal, -normal.dot(kPlace);
+  for (int frame = 2; frame < 30; ++frame) tracks.see(wall, seen, {frame, 0.1 * frame});
+  EXPECT_EQ(Eigen::Vector4d(tracks.at(wall).plane.coefficients), before);
+  EXPECT_EQ(tracks.at(wall).last_frame, 29);
 }
 
 TEST(Keyframe, HoldsEveryOtherPixelOfALargeFrame) {

@@ -109,6 +109,24 @@ TEST_F(TrackCommand, AJumpOfTheTrajectoryIsTold) {
   EXPECT_EQ(outputOf({frames(), "--out", path("p")}).find("jumped"), std::string::npos);
 }
 
+TEST_F(TrackCommand, ItsOwnTrajectoryIsNotOverwritten) {
+  outputOf({frames(), "--frames", "5", "--out", path("o")});
+  const std::string before = read("o/trajectory.txt");
+  expectFailure({frames(), "--poses", path("o/trajectory.txt"), "--out", path("o")}, 2, "would overwrite");
+  EXPECT_EQ(read("o/trajectory.txt"), before);
+}
+
+TEST_F(TrackCommand, WhatIsNoNumberOrBelowNothingIsRefused) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--cell", "nan"},
+                                                {"--rate", "nan"},
+                                                {"--max-time-difference", "nan"},
+                                                {"--first", "-1"}}) {
+    std::vector<std::string> arguments = {frames(), "--out", path("o")};
+    arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+    expectFailure(arguments, 2, wrong[0]);
+  }
+}
+
 TEST_F(TrackCommand, LargeSurfacesKeepTheirLabel) {
   outputOf({frames(), "--out", path("o")});
   std::map<int, std::set<int>> labels;
