@@ -75,8 +75,9 @@ void InverseDepthPipeline::continueKnown(const KnownPlanes& known, Continuation&
   rule.error_scale = known.error_scale;
   known_.label(*image_, known, rule, map_, continuation);
   judges_known_ = known.search;
-  searches_ = open_blocks_.hideRest(*image_, map_);
-  if (searches_) return;
+  has_rest_ = open_blocks_.hideRest(*image_, map_);
+  searches_ = has_rest_ || judges_known_;
+  if (has_rest_) return;
   map_.accumulate(*image_, parameters_.threads);
   for (DirectionalPlanes& direction : directions_) direction.setActive(false);
 }
@@ -113,12 +114,12 @@ void InverseDepthPipeline::growPlanes() {
 }
 
 void InverseDepthPipeline::joinDirections() {
-  if (!searches_) return;
   if (continuation_ == nullptr) {
     joining_.join(*image_, directions_, parameters_.threads, map_);
     map_.accumulate(*image_, parameters_.threads);
     return;
   }
+  if (!has_rest_) return;
   joining_.join(*image_, directions_, parameters_.threads, rest_map_);
   open_blocks_.showAll(*image_);
   searches_ = takeFound() || judges_known_;

@@ -86,7 +86,8 @@ class InverseDepthPipeline {
   Continuation* continuation_ = nullptr;  // of known planes, if there are any
   RegionMap rest_map_;
   std::vector<std::int32_t> found_labels_;
-  bool searches_ = true;                         // for planes that are not known
+  bool searches_ = true;                         // S4 to S8 are to join regions
+  bool has_rest_ = false;                        // known planes do not explain all
   bool judges_known_ = false;                    // whether known planes that touch are one
   std::array<DirectionalPlanes, 2> directions_;  // by columns, by rows
   std::vector<StripMemory> strip_memory_;        // per thread

@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "inverse_depth/open_blocks.h"
 #include "over_time/plane_motion.h"

@@ -270,7 +270,8 @@ void RegionMerger::dropSmallRegions(std::vector<PlaneMoments>& regions) {
     std::int32_t& label = new_label_[k];
     label = label == static_cast<std::int32_t>(k) ? label : new_label_[static_cast<std::size_t>(label)];
     PlaneMoments& region = regions[k - 1];
-    if (region.n > 0.0 && region.n<fewest_pixels&& static_cast<std::int32_t>(k)> known_) {
+    const bool is_known = k <= static_cast<std::size_t>(known_);
+    if (!is_known && region.n > 0.0 && region.n < fewest_pixels) {
       region = PlaneMoments();
       label = 0;
     }

@@ -51,7 +51,6 @@ void PlaneTracker::State::expect(const std::optional<Eigen::Isometry3d>& given) 
   known_tracks.clear();
   known.error_scale = error_scale;
   known.search = frame < tracker.confirm_frames || frame - last_search >= tracker.search_frames;
-  if (known.search) last_search = frame;
   number_of_track.assign(tracks.all().size(), 0);
   for (const Keyframe* view : {&keyframe, &last})
     if (view->labels != nullptr) known.views.push_back(knownView(*view));
@@ -106,11 +105,14 @@ bool PlaneTracker::State::isHardToBelieve(const Eigen::Isometry3d& given) const 
 /// what became of it.
 bool PlaneTracker::State::goesOnInstead(const DepthFrame& depth, PlaneSegmentation& segmentation) {
   Continuation other;
+  const UncertainPose as_given = known.pose;
   known.pose = expectedPose(std::nullopt);
   const bool done = extractor.extract(depth, known, by_motion, other);
   if (!done || static_cast<double>(other.from_views) <=
-                   kClearlyMore * static_cast<double>(std::max<std::size_t>(1, continuation.from_views)))
+                   kClearlyMore * static_cast<double>(std::max<std::size_t>(1, continuation.from_views))) {
+    known.pose = as_given;
     return false;
+  }
   continuation = other;
   std::swap(segmentation, by_motion);
   return true;
@@ -216,6 +218,7 @@ void PlaneTracker::State::label(TrackedFrame& result) const {
 
 // The frame becomes the last one, and the keyframe if that shows too little of what is known.
 void PlaneTracker::State::remember(const PlaneSegmentation& segmentation) {
+  if (known.search) last_search = frame;
   known.views.clear();  // or what they show would have to stay
   last.take(segmentation, track_of_plane, pose);
   const auto from_keyframe = static_cast<double>(continuation.from_first_view);
