@@ -2,16 +2,13 @@
 // The list is versioned JSON; contours are traced from the label image.
 #include "datasets/files/plane_list.h"
 
+#include "datasets/files/vector_json.h"
 #include "datasets/support/atomic_file.h"
 #include "epcc_segmentation/contours.h"
 
 namespace epcc {
 
 namespace {
-
-nlohmann::json vectorJson(const Eigen::Ref<const Eigen::VectorXd>& vector) {
-  return std::vector<double>(vector.data(), vector.data() + vector.size());
-}
 
 nlohmann::json contourJson(const std::vector<PixelContour>& contours) {
   nlohmann::json json{{"outer", nlohmann::json::array()}, {"holes", nlohmann::json::array()}};

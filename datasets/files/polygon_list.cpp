@@ -2,16 +2,12 @@
 // Surfaces and edges as JSON.
 #include "datasets/files/polygon_list.h"
 
+#include "datasets/files/vector_json.h"
 #include "datasets/support/atomic_file.h"
 
 namespace epcc {
 
 namespace {
-
-template <typename Vector>
-nlohmann::json vectorJson(const Vector& vector) {
-  return std::vector<double>(vector.data(), vector.data() + vector.size());
-}
 
 nlohmann::json ringJson(const SurfaceRing& ring) {
   nlohmann::json points = nlohmann::json::array(), flat = nlohmann::json::array();
