@@ -25,19 +25,6 @@ using SharedParameters = std::shared_ptr<Parameters>;
 using Camera = std::optional<PinholeCamera>;
 using Scale = std::optional<double>;
 
-const char* endWord(TrackEnd end) {
-  switch (end) {
-    case TrackEnd::Merged:
-      return "merged";
-    case TrackEnd::NotConfirmed:
-      return "not confirmed";
-    case TrackEnd::Clutter:
-      return "clutter";
-    default:
-      return "none";
-  }
-}
-
 /// Python's TrackedFrame: the library's, its segmentation apart.
 struct Tracked {
   TrackedFrame data;
@@ -133,7 +120,7 @@ void bindTrack(py::module_& module) {
       .def_readonly("frames", &PlaneTrack::frames, "How many frames it was seen in.")
       .def_readonly("confidence", &PlaneTrack::confidence, "That it is a surface, 0 to 1, mean over its pixels.")
       .def_property_readonly(
-          "end", [](const PlaneTrack& t) { return endWord(t.end); },
+          "end", [](const PlaneTrack& t) { return inWords(t.end); },
           "\"none\": it goes on; \"merged\": it is part of merged_into; \"clutter\": it was no plane most of the time.")
       .def_readonly("merged_into", &PlaneTrack::merged_into, "Label of the other; 0 if it was not merged.")
       .def("__repr__", [](const PlaneTrack& t) {

@@ -23,9 +23,9 @@ struct FitSamples {
   /// After the orthogonal fit, without weights, the step of fitAlongRays(), which errors of the depths do not bias;
   /// else, the paper's way, the orthogonal fit alone, which a stream can keep.
   bool along_rays = true;
-  /// Of that step: samples so near to another plane in the grid are left out. Which of two planes that are alike there
-  /// got them was decided by their errors, so that those of either plane are not what they are elsewhere. A plane that
-  /// would lose more than half of its samples keeps them all.
+  /// Of that step: samples so near to another plane in the grid, or to what is none, are left out. Which of two planes
+  /// that are alike there got them was decided by their errors, so that those of either plane are not what they are
+  /// elsewhere. A plane that would lose more than half of its samples keeps them all.
   int margin = 0;
 };
 
@@ -71,7 +71,7 @@ class PlaneFitter {
     std::vector<double> across;
   };
   bool readLabels(const std::int32_t* labels, int width, const FitSamples& samples, std::int32_t* row) const;
-  /// Labels of the samples of a row of the grid that are not in the margin of another plane.
+  /// Labels of the samples of a row of the grid that are not in the margin.
   const std::int32_t* labelsInside(const FitSamples& samples, int rows, int row, std::size_t count, Band& band) const;
   /// Adds the samples of the rows offset + stride * [begin, end), of the labels that only_ keeps if takes_only_.
   void sumBand(const DepthFrame& image, Sums sums, const FitSamples& samples, const std::vector<std::int32_t>& labels,

@@ -11,32 +11,12 @@
 #include "epcc_segmentation/surface_mesh.h"
 #endif
 #include "datasets/files/png_io.h"
+#include "datasets/files/vector_json.h"
 #include "datasets/support/input_error.h"
 #include "eval/pictures/label_colors.h"
 
 namespace epcc {
 namespace {
-
-const char* endText(TrackEnd end) {
-  switch (end) {
-    case TrackEnd::Merged:
-      return "merged";
-    case TrackEnd::NotConfirmed:
-      return "not confirmed";
-    case TrackEnd::Clutter:
-      return "clutter";
-    case TrackEnd::None:
-      break;
-  }
-  return "none";
-}
-
-template <typename Vector>
-nlohmann::json vectorJson(const Vector& vector) {
-  nlohmann::json json = nlohmann::json::array();
-  for (Eigen::Index i = 0; i < vector.size(); ++i) json.push_back(vector(i));
-  return json;
-}
 
 nlohmann::json ringJson(const SurfaceRing& ring) {
   nlohmann::json json = nlohmann::json::array();
@@ -73,7 +53,7 @@ nlohmann::json trackJson(const MappedTrack& one) {
                          {"frames", track.frames},
                          {"pixels", one.pixels},
                          {"confidence", track.confidence},
-                         {"end", endText(track.end)},
+                         {"end", inWords(track.end)},
                          {"area", one.surface.area},
                          {"pieces", piecesJson(one.surface)}};
   if (track.end == TrackEnd::Merged) json["merged_into"] = track.merged_into;

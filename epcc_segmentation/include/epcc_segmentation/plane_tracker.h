@@ -48,6 +48,9 @@ enum class TrackEnd {
   Clutter,       ///< what was seen of it was no plane most of the time
 };
 
+/// "none", "merged", "not confirmed" or "clutter".
+EPCC_CORE_EXPORT const char* inWords(TrackEnd end);
+
 /// A plane of the map.
 struct PlaneTrack {
   /// From 1, for life; 0 before it is confirmed.

@@ -17,9 +17,14 @@ constexpr double kLeastCell = 1e-3;  // metres
 
 }  // namespace
 
+int MapTracks::last(int track) const {
+  while (at(track).end == TrackEnd::Merged) track = at(track).other;
+  return track;
+}
+
 int MapTracks::alive(int track) const {
-  while (track >= 0 && at(track).end == TrackEnd::Merged) track = at(track).other;
-  return track >= 0 && at(track).end == TrackEnd::None ? track : -1;
+  track = last(track);
+  return at(track).end == TrackEnd::None ? track : -1;
 }
 
 int MapTracks::find(const SeenInMap& seen, bool young_too) const {

@@ -36,7 +36,9 @@ class MapTracks {
 
   const std::vector<TrackState>& all() const { return tracks_; }
   const TrackState& at(int track) const { return tracks_[static_cast<std::size_t>(track)]; }
-  /// The track itself, or the one that it went up in; -1 if that has ended.
+  /// The track itself, or the one that it went up in.
+  int last(int track) const;
+  /// The same; -1 if that has ended.
   int alive(int track) const;
   /// A plane that continues none may be one that was out of sight, or a piece of one that is seen elsewhere: a track
   /// with a label, or any where none continues by itself, a place nearby and parameters that agree. -1 if there is

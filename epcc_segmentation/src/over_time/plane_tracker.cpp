@@ -9,6 +9,20 @@
 
 namespace epcc {
 
+const char* inWords(TrackEnd end) {
+  switch (end) {
+    case TrackEnd::Merged:
+      return "merged";
+    case TrackEnd::NotConfirmed:
+      return "not confirmed";
+    case TrackEnd::Clutter:
+      return "clutter";
+    case TrackEnd::None:
+      break;
+  }
+  return "none";
+}
+
 PlaneTracker::PlaneTracker(const TrackerParameters& tracker, const Parameters& parameters,
                            const std::optional<SensorModel>& sensor)
     : state_(std::make_unique<State>(tracker, parameters, sensor)) {}
@@ -40,9 +54,8 @@ std::vector<PlaneTrack> PlaneTracker::tracks() const {
   for (const TrackState& track : state_->tracks.all()) {
     if (track.label == 0) continue;
     list.push_back(track);
-    int other = track.other;
-    while (other >= 0 && state_->tracks.at(other).end == TrackEnd::Merged) other = state_->tracks.at(other).other;
-    if (other >= 0) list.back().merged_into = state_->tracks.at(other).label;
+    if (track.end == TrackEnd::Merged)
+      list.back().merged_into = state_->tracks.at(state_->tracks.last(track.other)).label;
   }
   std::sort(list.begin(), list.end(), [](const PlaneTrack& a, const PlaneTrack& b) { return a.label < b.label; });
   return list;
