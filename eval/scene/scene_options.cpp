@@ -17,6 +17,7 @@
 #include "datasets/support/number_text.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/program/number_range.h"
 
 namespace epcc {
 namespace {
@@ -169,9 +170,7 @@ void addOptions(CLI::App& app, RawOptions& raw, SceneCommandOptions& options) {
   app.add_option("--frames", raw.frames, "of the path (300, or all of FILE.txt)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000));
-  app.add_option("--rate", raw.rate, "frames a second (30)")->type_name("HZ")->check([](const std::string& text) {
-    return text.find_first_of("nN") == std::string::npos ? CLI::Range(0.01, 10000.0)(text) : text + " is not a number";
-  });
+  app.add_option("--rate", raw.rate, "frames a second (30)")->type_name("HZ")->check(within(0.01, 10000.0));
   app.add_option("--lasting", raw.lasting,
                  "share of the error's variance that stays with the scene instead of being drawn anew for each frame, "
                  "and how far it reaches, metres (0; 0.1)")

@@ -3,7 +3,6 @@
 #include "eval/segment/segment_command.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <new>
 #include <ostream>
@@ -15,6 +14,7 @@
 #include "epcc_segmentation/plane_extractor.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/program/lap_time.h"
 #include "eval/program/progress_line.h"
 #include "eval/segment/frame_planes.h"
 #include "eval/segment/plane_report.h"
@@ -25,16 +25,6 @@ namespace epcc {
 namespace {
 
 constexpr const char* kProgram = "epcc_segment";
-
-using Clock = std::chrono::steady_clock;
-
-/// Milliseconds since `start`, which then starts anew.
-double lapMs(Clock::time_point& start) {
-  const Clock::time_point now = Clock::now();
-  const double ms = 1e3 * std::chrono::duration<double>(now - start).count();
-  start = now;
-  return ms;
-}
 
 /// What the steps around the segmentation take.
 struct StepTimes {

@@ -16,6 +16,7 @@
 #include "epcc_segmentation/parameter_table.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/program/number_range.h"
 #include "eval/program/reading_arguments.h"
 
 namespace epcc {
@@ -40,17 +41,6 @@ struct RawOptions {
   std::string pose_sigma, motion_sigma;
   std::string lags = "5,25,75";
 };
-
-/// A range that the help leaves to the text of the option.
-template <typename Number>
-CLI::Validator within(Number low, Number high) {
-  CLI::Validator range = CLI::Range(low, high);
-  const auto inside = [range](std::string& text) {
-    const auto number = numberFrom(text);
-    return number && std::isnan(*number) ? "Value " + text + " not in range" : range(text);
-  };
-  return CLI::Validator(inside, "");
-}
 
 /// Empty if `text` is METRES,DEGREES, else what is wrong.
 std::string setSigmas(const std::string& option, const std::string& text, double& offset, double& angle) {

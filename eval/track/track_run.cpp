@@ -2,7 +2,6 @@
 // Read, track, write, sum up.
 #include "eval/track/track_run.h"
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include "datasets/support/input_error.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/program/lap_time.h"
 #include "eval/program/progress_line.h"
 #include "eval/report/table.h"
 #include "eval/track/track_files.h"
@@ -20,27 +20,14 @@
 namespace epcc {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-/// Milliseconds since `start`, which then starts anew.
-double lapMs(Clock::time_point& start) {
-  const Clock::time_point now = Clock::now();
-  const double ms = 1e3 * std::chrono::duration<double>(now - start).count();
-  start = now;
-  return ms;
-}
-
 const std::vector<std::string> kTimeColumns = {"frame",     "name",     "time_s",    "track_ms",   "read_ms",
                                                "sensor_ms", "lines_ms", "planes_ms", "regions_ms", "result_ms",
                                                "load_ms",   "map_ms",   "write_ms",  "planes",     "labels"};
 
 constexpr double kFarthest = 1e4;  // m from the start
-constexpr double kRotationTolerance = 1e-6;
 
 bool isSomewhere(const Isometry3& pose) {
-  const Eigen::Matrix3d turn = pose.linear();
-  return pose.matrix().allFinite() && pose.translation().norm() < kFarthest &&
-         (turn * turn.transpose()).isIdentity(kRotationTolerance);
+  return pose.matrix().allFinite() && pose.translation().norm() < kFarthest;
 }
 
 /// Nothing can be told of later frames.
