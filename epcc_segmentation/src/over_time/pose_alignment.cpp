@@ -13,7 +13,7 @@ namespace epcc {
 namespace {
 
 constexpr int kAlignmentSteps = 5;
-constexpr double kExact = 1e-12;                   // rad^2, m^2: a pose that is not to be moved has none
+constexpr double kExactPose = 1e-12;               // rad^2, m^2: a pose that is not to be moved has none
 constexpr double kFewestSeen = 4.0;                // independent ones, for three parameters
 constexpr double kCauchySquare = 2.4 * 2.4 * 3.0;  // where the weight of a plane is a half, in units of 1
 
@@ -24,7 +24,7 @@ AlignedPose alignPose(const std::vector<MapPlane>& planes, const std::vector<See
   AlignedPose result;
   const Eigen::Isometry3d begin(expected.camera_to_map);
   const Eigen::Matrix<double, 6, 6> uncertainty =
-      Eigen::Matrix<double, 6, 6>(expected.covariance) + kExact * Eigen::Matrix<double, 6, 6>::Identity();
+      Eigen::Matrix<double, 6, 6>(expected.covariance) + kExactPose * Eigen::Matrix<double, 6, 6>::Identity();
   const Eigen::Matrix<double, 6, 6> prior = uncertainty.inverse();
   Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 6> information;
