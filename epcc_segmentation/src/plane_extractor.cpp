@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <new>
 
 #include "epcc_segmentation/sensor_estimation.h"
 #include "epcc_segmentation/vector_unit.h"
 #include "geometry/sensor_cloud.h"
 #include "inverse_depth/inverse_depth_pipeline.h"
-#include "inverse_depth/sample_grid.h"
 #include "inverse_depth/scattered_pixels.h"
 #include "metric/metric_pipeline.h"
 #include "plane_fit_samples.h"
@@ -77,8 +77,9 @@ struct PlaneExtractor::Workspace {
   InverseDepthPipeline inverse_depth;
   PlaneFitter fitter;
   SlowBending bending;
-  std::optional<ErrorCorrelation> measured_error;  // of this frame's sensor
-  const InverseDepthImage* measured_image = nullptr;
+  std::optional<ErrorCorrelation> measured_error;     // of this frame's sensor
+  std::optional<ErrorCorrelation> bent_error;         // the same with slow bending, of the last frame that was measured
+  const InverseDepthImage* measured_image = nullptr;  // null if S0 rested
 };
 
 PlaneExtractor::PlaneExtractor(const Parameters& parameters, const std::optional<SensorModel>& sensor)
@@ -107,6 +108,7 @@ void PlaneExtractor::setSensorAuto() {
   if (!workspace_) return;
   workspace_->estimator.reset();
   workspace_->bending.reset();
+  workspace_->bent_error.reset();
 }
 
 bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result) try {
@@ -135,19 +137,30 @@ bool PlaneExtractor::extract(const DepthFrame& frame, PlaneSegmentation& result)
 
 namespace {
 
-bool isComplete(const KnownView& view) {
-  return view.labels != nullptr && view.width > 0 && view.height > 0 &&
-         view.labels->size() == static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+/// As many labels as it has places for, each with a plane that is known.
+bool isComplete(const KnownView& view, std::size_t planes) {
+  if (view.labels == nullptr || view.width <= 0 || view.height <= 0 ||
+      view.labels->size() != static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height))
+    return false;
+  const auto count = static_cast<std::int64_t>(view.plane_of_label.size());
+  const auto end = static_cast<std::int32_t>(std::min<std::int64_t>(count, std::numeric_limits<std::int32_t>::max()));
+  int other = 0;
+  for (const std::int32_t label : *view.labels) other |= static_cast<int>(label < 0) | static_cast<int>(label >= end);
+  const auto is_known = [planes](std::int32_t plane) {
+    return plane == kNotLookedAt || (plane >= 0 && static_cast<std::size_t>(plane) <= planes);
+  };
+  return other == 0 && std::all_of(view.plane_of_label.begin(), view.plane_of_label.end(), is_known);
 }
 
 }  // namespace
 
 bool PlaneExtractor::extract(const DepthFrame& frame, const KnownPlanes& known, PlaneSegmentation& result,
                              Continuation& continuation) {
-  const bool can_continue =
-      parameters_.mode == Mode::InverseDepth && frame.geometry() == nullptr && !frame.isTransposed() &&
-      isPerspective(frame.projection()) &&
-      std::all_of(known.views.begin(), known.views.end(), [](const KnownView& view) { return isComplete(view); });
+  const bool can_continue = parameters_.mode == Mode::InverseDepth && frame.geometry() == nullptr &&
+                            !frame.isTransposed() && isPerspective(frame.projection()) &&
+                            std::all_of(known.views.begin(), known.views.end(), [&known](const KnownView& view) {
+                              return isComplete(view, known.planes.size());
+                            });
   continuation = Continuation();
   continuation.pose = known.pose;
   known_ = can_continue ? &known : nullptr;
@@ -168,9 +181,15 @@ void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmenta
   ErrorCorrelation error = workspace_->measured_error.value_or(ErrorCorrelation::of(sensor_));
   workspace_->fitter.lendErrorCorrelation(error);
   workspace_->fitter.fit(frame, sensor_, count, samples, parameters_.threads, result);
-  if (workspace_->measured_error && workspace_->bending.canMeasure(frame, *workspace_->measured_image, samples)) {
-    error = workspace_->bending.update(workspace_->estimator.lastBlocks(), *workspace_->measured_image, error,
-                                       {result.labels, result.planes, sensor_, workspace_->fitter});
+  if (workspace_->measured_error && workspace_->measured_image != nullptr) {
+    workspace_->bent_error.reset();
+    if (workspace_->bending.canMeasure(frame, *workspace_->measured_image, samples))
+      workspace_->bent_error =
+          workspace_->bending.update(workspace_->estimator.lastBlocks(), *workspace_->measured_image, error,
+                                     {result.labels, result.planes, sensor_, workspace_->fitter});
+  }
+  if (workspace_->measured_error && workspace_->bent_error) {
+    error = *workspace_->bent_error;
     workspace_->fitter.correlate(error, result.planes);
   }
   if (known_ != nullptr) {
@@ -207,18 +226,20 @@ int PlaneExtractor::extractMetric(const DepthFrame& frame, PlaneSegmentation& re
 
 int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentation& result) {
   StopWatch watch;
-  const int stride = strideFor(longerSide(frame.width(), frame.height()), parameters_.inverse_depth.stride);
+  InverseDepthPipeline& pipeline = workspace_->inverse_depth;
+  pipeline.configure(parameters_, sensor_);
+  const int stride = pipeline.gridStride(frame.width(), frame.height(), known_);
   workspace_->image.read(frame, parameters_.threads, stride);
   ScatteredPixels* const scattered = workspace_->scattered.find(workspace_->image) ? &workspace_->scattered : nullptr;
   if (scattered != nullptr) result.doubts.scattered_share = scattered->validShare();
   times_.read = watch.lap();
   adaptSensor(scattered != nullptr ? scattered->blocks() : workspace_->image, result.doubts);  // S0
   times_.sensor = watch.lap();
-  InverseDepthPipeline& pipeline = workspace_->inverse_depth;
   pipeline.configure(parameters_, sensor_);
-  pipeline.begin(workspace_->image, scattered);
+  const bool continues = known_ != nullptr && scattered == nullptr;
+  if (!continues) pipeline.begin(workspace_->image, scattered);
   times_.read += watch.lap();
-  if (known_ != nullptr && scattered == nullptr) pipeline.continueKnown(*known_, *continuation_);
+  if (continues) pipeline.beginKnown(workspace_->image, *known_, *continuation_);
   pipeline.growLines();  // S1
   times_.lines = watch.lap();
   pipeline.growPlanes();  // S2
@@ -232,8 +253,10 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   times_.regions = watch.lap();
   pipeline.labelPixels();
   moveLabels(frame, pipeline.labels(), result.labels);
-  if (!frame.isTransposed()) workspace_->fitter.lendSampleDepth(workspace_->image.sampleDepths());
+  if (!frame.isTransposed() && pipeline.fitSamples().stride == stride)
+    workspace_->fitter.lendSampleDepth(workspace_->image.sampleDepths());
   workspace_->fitter.lendCounts(pipeline.pixelCounts());
+  workspace_->fitter.lendRows(frame.isTransposed() ? nullptr : pipeline.pixelRows());
   workspace_->fitter.lendConfidence(pipeline.confidence());
   times_.result = watch.lap();
   return pipeline.labelCount();
@@ -243,11 +266,13 @@ void PlaneExtractor::adaptSensor(const InverseDepthImage& image, Doubts& doubts)
   sensor_ = given_sensor_;
   doubts.jump_share = image.place_of_pixel > 0.0 ? 0.0 : jumpShare(image);
   if (!measures_sensor_ && !parameters_.inverse_depth.adapt_sensor) return;
-  const SensorEstimate measured = workspace_->estimator.update(image);
+  // Where nothing is looked for, a sensor that is known needs no measuring.
+  const bool rests = known_ != nullptr && known_->may_wait && !known_->search && workspace_->estimator.isSettled();
+  const SensorEstimate measured = rests ? workspace_->estimator.latest() : workspace_->estimator.update(image);
   sensor_ = measures_sensor_ ? measured.model() : adapted(given_sensor_, measured, image, workspace_->ratios);
   if (measures_sensor_ && measured.blocks > 0)
     workspace_->measured_error = ErrorCorrelation{{measured.blotch_share, measured.blotch_length}, {}};
-  workspace_->measured_image = &image;
+  workspace_->measured_image = rests ? nullptr : &image;
   const bool may_be_generic = measures_sensor_ && measured.blocks == 0;
   doubts.sensor_is_generic = may_be_generic && workspace_->scattered.validShare() > 0.0;
   doubts.error_share = errorShare(image, measured, workspace_->ratios);

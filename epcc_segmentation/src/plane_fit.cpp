@@ -23,9 +23,6 @@ namespace {
 // However many threads there are, the rows are summed in as many bands: one order of all sums.
 constexpr int kBands = 8;
 
-// A plane with fewer samples on the grid is fitted to all of its pixels.
-constexpr double kFewestSamples = 100.0;
-
 int samplesAlong(int size, const FitSamples& samples) {
   return std::max(0, (size - samples.offset + samples.stride - 1) / samples.stride);
 }
@@ -90,8 +87,10 @@ void PlaneFitter::sumBand(const DepthFrame& image, Sums sums, const FitSamples& 
     row.y = y;
     row.depth_is_range = !isPerspective(image.projection());
   }
+  const bool skips_rows = is_whole && takes_only_ && !sparse_rows_.empty();
   for (int i = begin; i < end; ++i) {
     const int r = samples.offset + i * samples.stride;
+    if (skips_rows && sparse_rows_[static_cast<std::size_t>(r)] == 0) continue;
     row.labels = labels.data() + image.index(r, 0);
     if (sums == Sums::OfRays && samples.margin > 0) {
       row.labels = labelsInside(samples, samplesAlong(image.height(), samples), i, row.count, band);
@@ -167,14 +166,17 @@ bool PlaneFitter::hasSamples(std::size_t plane) const {
 }
 
 // Thin or small planes may have missed the grid.
-void PlaneFitter::findSparsePlanes() {
+void PlaneFitter::findSparsePlanes(double fewest, int height, const RowSpan* rows) {
   only_.assign(is_sparse_.size() + 1, 0);
   has_sparse_ = false;
+  sparse_rows_.assign(rows != nullptr ? static_cast<std::size_t>(height) : 0, 0);
   for (std::size_t i = 0; i < is_sparse_.size(); ++i) {
-    is_sparse_[i] = pixels_[i] > 0 && samplesOf(i) < kFewestSamples ? 1 : 0;
+    is_sparse_[i] = pixels_[i] > 0 && samplesOf(i) < fewest ? 1 : 0;
     if (is_sparse_[i] == 0) continue;
     only_[i + 1] = static_cast<std::int32_t>(i + 1);
     has_sparse_ = true;
+    if (rows != nullptr && rows[i].begin < rows[i].end)
+      std::fill(sparse_rows_.begin() + rows[i].begin, sparse_rows_.begin() + rows[i].end, std::uint8_t{1});
   }
 }
 
@@ -257,6 +259,7 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
   const float* const lent_depth = std::exchange(depth_, nullptr);
   const float* const lent_samples = std::exchange(sample_depth_, nullptr);
   const long* const counts = std::exchange(counts_, nullptr);
+  const RowSpan* const label_rows = std::exchange(lent_rows_, nullptr);
   const std::optional<ErrorCorrelation> lent_error = std::exchange(lent_error_, std::nullopt);
   const auto size = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
   if (plane_count < 0 || segmentation.labels.size() != size) return false;
@@ -295,7 +298,7 @@ bool PlaneFitter::fit(const DepthFrame& frame, const SensorModel& sensor, int pl
       std::copy(counts, counts + count, pixels_.begin());
     else
       countPixels(image, threads, segmentation.labels);
-    findSparsePlanes();
+    findSparsePlanes(samples.fewest, image.height(), label_rows);
     sumSparsePlanes(image, Sums::OfPoints, samples, threads, segmentation.labels);
   } else {
     for (std::size_t i = 0; i < count; ++i) pixels_[i] = static_cast<long>(samplesOf(i));

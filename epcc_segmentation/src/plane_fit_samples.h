@@ -2,7 +2,9 @@
 // The fit of planes with its memory, from every pixel or from a grid of them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,6 +29,19 @@ struct FitSamples {
   /// that are alike there got them was decided by their errors, so that those of either plane are not what they are
   /// elsewhere. A plane that would lose more than half of its samples keeps them all.
   int margin = 0;
+  /// A plane with fewer samples on the grid is fitted to all of its pixels.
+  double fewest = 100.0;
+};
+
+/// Rows begin .. end - 1; none if there is no such row.
+struct RowSpan {
+  int begin = std::numeric_limits<int>::max();
+  int end = 0;
+  void add(int row) { add({row, row + 1}); }
+  void add(const RowSpan& other) {
+    begin = std::min(begin, other.begin);
+    end = std::max(end, other.end);
+  }
 };
 
 /// fitPlanes() for a stream of frames. The result does not depend on the number of threads.
@@ -47,6 +62,8 @@ class PlaneFitter {
   /// For the next fit with a stride: how many pixels have the labels 1 .. plane_count, and that there is no other but
   /// 0.
   void lendCounts(const long* pixels) { counts_ = pixels; }
+  /// For the next fit with a stride: rows that hold all pixels of the labels 1 .. plane_count.
+  void lendRows(const RowSpan* rows) { lent_rows_ = rows; }
   /// For the next fit: Plane::confidence of the labels 1 .. plane_count.
   void lendConfidence(const double* confidence) { confidence_ = confidence; }
   /// For the next fit: how the error is correlated, where that is known better than by the sensor model.
@@ -81,7 +98,7 @@ class PlaneFitter {
   void countPixels(const DepthFrame& image, int threads, const std::vector<std::int32_t>& labels);
   double samplesOf(std::size_t plane) const;
   bool hasSamples(std::size_t plane) const;
-  void findSparsePlanes();
+  void findSparsePlanes(double fewest, int height, const RowSpan* rows);
   void sumSparsePlanes(const DepthFrame& image, Sums sums, const FitSamples& samples, int threads,
                        const std::vector<std::int32_t>& labels);
   /// Sums without the margin of the planes that it leaves too little of.
@@ -100,6 +117,7 @@ class PlaneFitter {
   const float* sample_depth_ = nullptr;
   std::size_t depth_stride_ = 0;
   const long* counts_ = nullptr;
+  const RowSpan* lent_rows_ = nullptr;
   const double* confidence_ = nullptr;
   std::vector<double> across_;  // u of the image's columns
   std::vector<Band> bands_;
@@ -109,7 +127,8 @@ class PlaneFitter {
   bool takes_only_ = false;
   std::vector<char> is_sparse_;  // by plane: fitted to all of its pixels
   bool has_sparse_ = false;
-  std::vector<Plane> fits_;  // by label
+  std::vector<std::uint8_t> sparse_rows_;  // whether a row may have pixels of sparse planes; empty: each may
+  std::vector<Plane> fits_;                // by label
   std::vector<RayPlane> ray_planes_;
   std::vector<RayFit> ray_fits_;
   std::vector<long> pixels_;

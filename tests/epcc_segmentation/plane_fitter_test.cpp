@@ -175,6 +175,26 @@ TEST(PlaneFitter, LentCountsAreThoseOfThePlanes) {
 }
 
 // So do the depths of the samples that the reading of the image keeps.
+TEST(PlaneFitter, RowsOfSparsePlanesAreAllThatIsReadOfThem) {
+  auto room = labelledRoom(160, 120, false);
+  for (int row = 50; row < 57; ++row)  // too few samples of stride 4
+    for (int column = 30; column < 60; ++column) room.labels[static_cast<std::size_t>(row * 160 + column)] = 4;
+  const SensorModel sensor = SensorModel::axial(0.002, 0.003, 5.0);
+  const auto fitted = [&](const epcc::RowSpan* rows) {
+    PlaneSegmentation segmentation;
+    segmentation.labels = room.labels;
+    epcc::PlaneFitter fitter;
+    fitter.lendRows(rows);
+    EXPECT_TRUE(fitter.fit(room.frame(), sensor, 4, {4, 2, true, 1}, 1, segmentation));
+    return segmentation.planes.back();
+  };
+  const epcc::RowSpan all[] = {{0, 120}, {0, 120}, {0, 120}, {50, 57}};
+  EXPECT_EQ(fitted(all).coefficients, fitted(nullptr).coefficients);
+  EXPECT_EQ(fitted(all).coefficients_covariance, fitted(nullptr).coefficients_covariance);
+  const epcc::RowSpan some[] = {{0, 120}, {0, 120}, {0, 120}, {52, 55}};
+  EXPECT_NE(fitted(some).coefficients, fitted(nullptr).coefficients);
+}
+
 TEST(PlaneFitter, LentSampleDepthsAreThoseOfTheFrame) {
   const SensorModel sensor = SensorModel::axial(0.002, 0.003, 2.0);
   for (const int stride : {2, 3})

@@ -54,6 +54,12 @@ inline std::vector<Eigen::Vector4d> cornerPlanes() {
   return {plane(0.05, -1.0, -0.1, 1.0), plane(0.1, 0.05, -1.0, 2.5), plane(-1.0, 0.02, -0.15, 0.9)};
 }
 
+/// Something square, 0.6 m away, in front of all else.
+inline void addBoard(RenderedRoom& room, int row, int column, int size) {
+  for (int i = row; i < row + size; ++i)
+    for (int j = column; j < column + size; ++j) room.depth[static_cast<std::size_t>(i * room.camera.width + j)] = 0.6f;
+}
+
 /// Adds white axial Gaussian noise of the sensor model.
 inline void addNoise(RenderedRoom& room, const SensorModel& sensor, unsigned seed) {
   std::mt19937 generator(seed);

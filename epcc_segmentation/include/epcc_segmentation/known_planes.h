@@ -27,13 +27,16 @@ struct MapPlane {
   Matrix4 covariance = Matrix4::Zero();
 };
 
+/// Instead of a plane: what is there was not looked at, Continuation::waiting.
+constexpr std::int32_t kNotLookedAt = -1;
+
 /// An earlier frame of the same camera: which plane its pixels were.
 struct KnownView {
   /// Row-major, of all pixels or of a grid that covers the frame; 0 none.
   std::shared_ptr<const std::vector<std::int32_t>> labels;
   int width = 0;   ///< of labels
   int height = 0;  ///< of labels
-  /// By label: 0 none, k the plane KnownPlanes::planes[k - 1].
+  /// By label: 0 none, k the plane KnownPlanes::planes[k - 1], kNotLookedAt where nothing was looked for.
   std::vector<std::int32_t> plane_of_label;
   Isometry3 camera_to_map = Isometry3::Identity();  ///< where it was seen from
 };
@@ -51,6 +54,12 @@ struct KnownPlanes {
   /// its plane is expected. Without it what was no plane in the last view is none, and known planes that touch are not
   /// compared.
   bool search = true;
+  /// Whether what is new may wait for a later frame, where it is little, below a thirtieth of the frame, and not all is
+  /// to be searched: then nothing is segmented and no plane is judged, and the frame is looked at on a grid of every
+  /// second sample in each direction.
+  bool may_wait = false;
+  /// Of each plane, a surface's in frames that do not judge it, 0 to 1; empty: 1.
+  std::vector<double> confidence;
   /// How many times the covariance of a frame's planes their error has been so far, at least 1.
   double error_scale = 1.0;
 };
@@ -70,6 +79,10 @@ struct Continuation {
   /// Per known plane: squared error of what is seen from what was expected, after the pose was found, in units of its
   /// covariance (3 on average); -1 if too little was seen.
   std::vector<double> squared_error;
+  /// Squares of waiting_side pixels that are new and wait for a later frame, by their upper left pixel (row * width +
+  /// column).
+  std::vector<std::int32_t> waiting;
+  int waiting_side = 1;
   std::size_t samples = 0;          ///< that are measured
   std::size_t from_first_view = 0;  ///< of them, those that the first view labelled
   std::size_t from_views = 0;       ///< those that all views together labelled

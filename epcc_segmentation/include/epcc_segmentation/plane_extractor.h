@@ -63,7 +63,8 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   bool extract(const DepthFrame& frame, PlaneSegmentation& result);
 
   /// The same where planes of an earlier frame are known, KnownPlanes. Of depth images and clouds of a camera in its
-  /// own frame in the inverse-depth mode; for others, or labels of another size, it is as if nothing were known.
+  /// own frame in the inverse-depth mode; for others, or views whose size or numbers do not fit, it is as if nothing
+  /// were known.
   bool extract(const DepthFrame& frame, const KnownPlanes& known, PlaneSegmentation& result,
                Continuation& continuation);
 

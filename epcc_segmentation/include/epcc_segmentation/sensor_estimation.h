@@ -114,6 +114,10 @@ class EPCC_CORE_EXPORT SensorEstimator {
   SensorEstimate update(const DepthFrame& frame);
   /// The same of a frame that has been read: for the library itself.
   SensorEstimate update(const InverseDepthImage& image);
+  /// What the last update returned.
+  SensorEstimate latest() const;
+  /// Whether as many estimates are remembered as can be.
+  bool isSettled() const;
   /// Image blocks, large and small, that the last update looked at, flat or not: what it cost.
   std::size_t blocksLookedAt() const;
   /// Internal: the flat blocks among those that the last update looked at, until the next.

@@ -27,9 +27,9 @@ void CarriedLabels::begin(const InverseDepthImage& image, const KnownView& view)
   row_.row_factor = row_of.factor;
   row_.frame_width = view.width;
   row_.frame_height = view.height;
-  plane_at_ = *view.labels;
-  relabelPixels(plane_at_.data(), plane_at_.size(), view.plane_of_label.data());
-  plane_at_.push_back(kUnseen);
+  plane_at_.resize(view.labels->size() + 1);
+  relabelPixels(view.labels->data(), view.labels->size(), view.plane_of_label.data(), plane_at_.data());
+  plane_at_.back() = kUnseen;
   pixels_.resize(across_.size() + 16);
   planes_.resize(across_.size());
 }

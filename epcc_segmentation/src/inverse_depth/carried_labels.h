@@ -12,8 +12,8 @@
 
 namespace epcc {
 
-/// Instead of a plane: the earlier frame does not show it.
-constexpr std::int32_t kUnseen = -1;
+/// Instead of a plane: the earlier frame does not show it, or nothing was looked for there.
+constexpr std::int32_t kUnseen = kNotLookedAt;
 
 /// Carries samples into an earlier frame of the same camera, row by row.
 class CarriedLabels {

@@ -44,6 +44,7 @@ class BorderEdges {
       memory_.run_labels.push_back(sampleAt({row, column}));
     }
     memory_.run_begins.push_back(image_.width);
+    for (const std::int32_t label : memory_.run_labels) memory_.rows[static_cast<std::size_t>(label)].add(row);
     return {static_cast<int>(memory_.run_labels.size()), memory_.run_begins.data(), memory_.run_labels.data()};
   }
 
@@ -167,6 +168,7 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
   border_memory_.resize(static_cast<std::size_t>(std::max(1, threads)));
   for (BorderMemory& memory : border_memory_) {  // none is to grow because a thread had nothing to do so far
     memory.pixels.assign(planes_.size(), 0);
+    memory.rows.assign(planes_.size(), RowSpan());
     memory.borders.resize(wordsOf(sample_columns));
     memory.places.clear(sample_columns);
     memory.run_begins.reserve(static_cast<std::size_t>(sample_columns) + 1);
@@ -210,6 +212,20 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
   decide(memory, true);
   for (std::size_t thread = 1; thread < border_memory_.size(); ++thread)
     for (std::size_t k = 0; k < planes_.size(); ++k) memory.pixels[k] += border_memory_[thread].pixels[k];
+  listRows(steps, image.height);
+}
+
+// A border moves by half a block at most.
+void FullResolution::listRows(const GridSteps& steps, int height) {
+  pixel_rows_.assign(planes_.size(), RowSpan());
+  const int last_block = sampleCount(height, steps.along) - 1;
+  for (std::size_t k = 0; k < pixel_rows_.size(); ++k) {
+    RowSpan samples;
+    for (const BorderMemory& memory : border_memory_) samples.add(memory.rows[k]);
+    if (samples.begin >= samples.end) continue;
+    const int end = samples.end > last_block ? height : samples.end * steps.along + steps.along / 2;
+    pixel_rows_[k] = {std::max(0, samples.begin * steps.along - steps.along / 2), std::min(height, end)};
+  }
 }
 
 }  // namespace epcc

@@ -11,6 +11,7 @@
 #include "inverse_depth/inverse_depth_image.h"
 #include "inverse_depth/label_borders.h"
 #include "inverse_depth/region_map.h"
+#include "plane_fit_samples.h"
 
 namespace epcc {
 
@@ -21,7 +22,8 @@ struct BorderMemory {
   std::vector<int> run_begins;  ///< of the blocks of a row of samples
   std::vector<std::int32_t> run_labels;
   BorderQuestions questions;
-  std::vector<long> pixels;  ///< that have got each label from this thread, less those that have lost it
+  std::vector<long> pixels;   ///< that have got each label from this thread, less those that have lost it
+  std::vector<RowSpan> rows;  ///< of samples with each label, that this thread has seen
 };
 
 /// A sample stands for the block of pixels around it, more at the right and lower edge. Its pixels
@@ -37,13 +39,17 @@ class FullResolution {
 
   /// How many pixels have each label; meaningless for 0.
   const std::vector<long>& pixelCounts() const { return border_memory_.front().pixels; }
+  /// Rows that hold all pixels of each label; meaningless for 0.
+  const std::vector<RowSpan>& pixelRows() const { return pixel_rows_; }
 
  private:
+  void listRows(const GridSteps& steps, int height);
   void takePlanes(const std::vector<PlaneMoments>& regions);
 
   std::vector<float> across_, along_, forward_, scale_;
   std::vector<PixelPlane> planes_;           // per label
   std::vector<BorderMemory> border_memory_;  // per thread
+  std::vector<RowSpan> pixel_rows_;          // per label
   std::vector<std::uint8_t> begins_part_;    // per row of samples: another thread may have had the row above
 };
 

@@ -3,6 +3,8 @@
 #include "inverse_depth/inverse_depth_pipeline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "inverse_depth/boundary_refinement.h"
 #include "inverse_depth/region_merging.h"
@@ -19,6 +21,9 @@ namespace {
 constexpr double kSteadyGain = 1.0;
 // A sample stays with a plane that it would not join: where a surface bends, residuals are what they were.
 constexpr double kSteadyResidual = 4.0 / 3.0;
+
+constexpr double kMayWait = 0.03;  // of the samples: if so many are new they are looked at
+constexpr int kCoarserToWait = 2;  // the grid of a frame in which nothing is looked for
 
 constexpr std::int32_t kFewestNewSamples = 64;  // as many as a block of those that are looked at together
 
@@ -37,8 +42,17 @@ void InverseDepthPipeline::configure(const Parameters& parameters, const SensorM
   sensor_ = sensor;
 }
 
+int InverseDepthPipeline::gridStride(int width, int height, const KnownPlanes* known) const {
+  const bool may_wait = known != nullptr && known->may_wait && !known->search;
+  return (may_wait ? kCoarserToWait : 1) * strideFor(longerSide(width, height), parameters_.inverse_depth.stride);
+}
+
 void InverseDepthPipeline::begin(InverseDepthImage& image, ScatteredPixels* scattered) {
-  const int stride = strideFor(longerSide(image.width, image.height), parameters_.inverse_depth.stride);
+  stride_ = gridStride(image.width, image.height, nullptr);
+  takeGrid(image, scattered, stride_);
+}
+
+void InverseDepthPipeline::takeGrid(InverseDepthImage& image, ScatteredPixels* scattered, int stride) {
   const bool takes_blocks = scattered != nullptr && parameters_.inverse_depth.stride == 0;
   if (!takes_blocks && stride > 1) samples_.sample(image, stride, parameters_.threads);
   InverseDepthImage& grid = takes_blocks ? scattered->blocks() : stride > 1 ? samples_ : image;
@@ -58,13 +72,30 @@ void InverseDepthPipeline::begin(InverseDepthImage& image, ScatteredPixels* scat
   image_ = &grid;
   map_.known = 0;
   searches_ = true;
+  waits_ = false;
   continuation_ = nullptr;
   for (DirectionalPlanes& direction : directions_) direction.configure(grid_parameters_, grid_sensor_);
   directions_[0].setActive(parameters_.scan != ScanDirection::Rows);
   directions_[1].setActive(parameters_.scan != ScanDirection::Columns && image.planar_rows);
 }
 
-void InverseDepthPipeline::continueKnown(const KnownPlanes& known, Continuation& continuation) {
+void InverseDepthPipeline::beginKnown(InverseDepthImage& image, const KnownPlanes& known, Continuation& continuation) {
+  stride_ = gridStride(image.width, image.height, nullptr);
+  if (known.may_wait && !known.search) {
+    takeGrid(image, nullptr, gridStride(image.width, image.height, &known));
+    labelKnown(known, continuation);
+    waits_ = waitForMore(known);
+    if (waits_) return;
+  }
+  takeGrid(image, nullptr, stride_);
+  labelKnown(known, continuation);
+  judges_known_ = known.search;
+  has_rest_ = open_blocks_.hideRest(*image_, map_);
+  searches_ = has_rest_ || judges_known_;
+  if (!has_rest_) segmentNothing();
+}
+
+void InverseDepthPipeline::labelKnown(const KnownPlanes& known, Continuation& continuation) {
   KnownRegions::Rule rule;
   rule.max_residual = kSteadyResidual * grid_parameters_.expert.refinement.max_residual;
   rule.pixels_per_sample = grid_sensor_.pixelsPerSample();
@@ -73,13 +104,37 @@ void InverseDepthPipeline::continueKnown(const KnownPlanes& known, Continuation&
   InverseDepthParameters::Refinement& refinement = grid_parameters_.expert.refinement;
   refinement.flip_gain = std::max(refinement.flip_gain, kSteadyGain);
   rule.error_scale = known.error_scale;
+  if (steps_.across > stride_) rule.row_step /= kCoarserToWait;
   known_.label(*image_, known, rule, map_, continuation);
-  judges_known_ = known.search;
-  has_rest_ = open_blocks_.hideRest(*image_, map_);
-  searches_ = has_rest_ || judges_known_;
-  if (has_rest_) return;
+}
+
+/// What is labelled is all there is.
+void InverseDepthPipeline::segmentNothing() {
   map_.accumulate(*image_, parameters_.threads);
   for (DirectionalPlanes& direction : directions_) direction.setActive(false);
+}
+
+// If little is new it is noted for a later frame. Planes are what they were: S7 and S9 are for frames in which
+// something may have changed.
+bool InverseDepthPipeline::waitForMore(const KnownPlanes& known) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < map_.labels.size(); ++i) count += (map_.labels[i] == 0) & (image_->w[i] > 0.0f) ? 1 : 0;
+  if (static_cast<double>(count) > kMayWait * static_cast<double>(map_.labels.size())) return false;
+  continuation_->waiting_side = steps_.across;
+  std::size_t i = 0;
+  for (int row = 0; row < image_->height; ++row)
+    for (int column = 0; column < image_->width; ++column, ++i) {
+      if (map_.labels[i] == 0 && image_->w[i] > 0.0f)
+        continuation_->waiting.push_back(full_image_->width * row * steps_.along + column * steps_.across);
+      map_.labels[i] = std::max(map_.labels[i], 0);
+    }
+  has_rest_ = judges_known_ = searches_ = false;
+  map_.confidence = known.confidence;
+  map_.confidence.resize(known.planes.size(), 1.0);
+  map_.known_plane.resize(known.planes.size());
+  std::iota(map_.known_plane.begin(), map_.known_plane.end(), 0);
+  segmentNothing();
+  return true;
 }
 
 // The strips of both directions know nothing of each other. Those of rows, which take longer or shorter, are spread
@@ -163,6 +218,7 @@ void InverseDepthPipeline::refineBoundaries() {
 }
 
 void InverseDepthPipeline::rejectClutter() {
+  if (waits_) return;
   rejectRegions(*image_, grid_parameters_, grid_sensor_, map_, evidence_, parameters_.threads);
 }
 
@@ -177,6 +233,7 @@ void InverseDepthPipeline::joinOccluded() {
 }
 
 void InverseDepthPipeline::rejectThin() {
+  if (waits_) return;
   epcc::rejectThin(*image_, grid_parameters_, grid_sensor_, steps_, map_, thickness_, parameters_.threads);
 }
 
@@ -191,8 +248,17 @@ FitSamples InverseDepthPipeline::fitSamples() const {
   if (scattered_ != nullptr) return FitSamples();
   // The refinement's last moves are of a pixel or two.
   constexpr int kMargin = 2;
-  if (sensor_.correlationLength() < steps_.across) return {1, 0, true, kMargin};
-  return {steps_.across, steps_.across / 2, true, std::max(1, kMargin / steps_.across)};
+  FitSamples samples;
+  samples.margin = kMargin;
+  for (const int stride : {steps_.across, stride_}) {
+    if (sensor_.correlationLength() < stride) continue;
+    samples.stride = stride;
+    samples.offset = stride / 2;
+    samples.margin = std::max(1, kMargin / stride);
+    samples.fewest *= std::pow(static_cast<double>(stride_) / stride, 2);  // they say as much as more on a finer grid
+    break;
+  }
+  return samples;
 }
 
 void InverseDepthPipeline::listSegments(const DepthFrame& frame, const std::vector<std::int32_t>& labels,

@@ -35,11 +35,15 @@ class InverseDepthPipeline {
   /// For the frames to come; the memory is kept.
   void configure(const Parameters& parameters, const SensorModel& sensor);
 
+  /// Of the grid of samples of a frame of this size; `known` is what is known of it, or null. Where much is new the
+  /// grid is a finer one in the end.
+  int gridStride(int width, int height, const KnownPlanes* known) const;
   /// Takes an image that was read; it must outlive the frame's steps. S1 to S9 work on a grid of its samples, or on the
   /// image itself, which is then weighed by the sensor model; or on the blocks of a frame of scattered pixels.
   void begin(InverseDepthImage& image, ScatteredPixels* scattered = nullptr);
-  /// Labels what the planes of an earlier frame explain; S1 to S3 see only the rest.
-  void continueKnown(const KnownPlanes& known, Continuation& continuation);
+  /// The same of an image of which something is known: what the planes of earlier frames explain is labelled, and S1 to
+  /// S3 see only the rest.
+  void beginKnown(InverseDepthImage& image, const KnownPlanes& known, Continuation& continuation);
   void growLines();         ///< S1
   void growPlanes();        ///< S2
   void joinDirections();    ///< S3
@@ -58,6 +62,8 @@ class InverseDepthPipeline {
   const long* pixelCounts() const {
     return steps_.isEveryPixel() ? nullptr : full_resolution_.pixelCounts().data() + 1;
   }
+  /// Rows that hold all their pixels; null if they are not known.
+  const RowSpan* pixelRows() const { return steps_.isEveryPixel() ? nullptr : full_resolution_.pixelRows().data() + 1; }
   int labelCount() const { return static_cast<int>(map_.regions.size()); }
   /// Per region: the known plane that it continues, or -1.
   const std::vector<int>& knownPlanes() const { return map_.known_plane; }
@@ -69,10 +75,15 @@ class InverseDepthPipeline {
                     std::vector<LineSegment>& segments) const;
 
  private:
+  void takeGrid(InverseDepthImage& image, ScatteredPixels* scattered, int stride);
+  void labelKnown(const KnownPlanes& known, Continuation& continuation);
+  void segmentNothing();
+  bool waitForMore(const KnownPlanes& known);
   bool takeFound();
 
   Parameters parameters_;
   SensorModel sensor_;
+  int stride_ = 1;  // of the grid as a rule; a frame in which nothing is looked for has a coarser one
   GridSteps steps_;
   const ScatteredPixels* scattered_ = nullptr;  // if its blocks are the grid
   InverseDepthNoise pixel_noise_;
@@ -89,6 +100,7 @@ class InverseDepthPipeline {
   bool searches_ = true;                         // S4 to S8 are to join regions
   bool has_rest_ = false;                        // known planes do not explain all
   bool judges_known_ = false;                    // whether known planes that touch are one
+  bool waits_ = false;                           // for more that is new; nothing is judged
   std::array<DirectionalPlanes, 2> directions_;  // by columns, by rows
   std::vector<StripMemory> strip_memory_;        // per thread
   DirectionJoining joining_;

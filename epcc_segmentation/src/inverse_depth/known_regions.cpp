@@ -13,22 +13,21 @@ namespace epcc {
 
 namespace {
 
-// Samples that tell where the camera is and how far each plane has moved: every so many rows, and every so many of
-// their samples.
-constexpr int kAdaptingRows = 8, kAdaptingColumns = 2;
+// Samples that tell where the camera is and how far each plane has moved: every so many of their rows.
+constexpr int kAdaptingColumns = 2;
 
 constexpr std::int32_t kNew = -2;  // instead of a label
 
-/// Calls work(begin, end) for the parts of a row that have samples without a label, in whole blocks.
+/// Calls work(begin, end) for the parts of a row that have measured samples without a label, in whole blocks.
 template <typename Work>
-void forOpenParts(const std::int32_t* labels, int width, const Work& work) {
+void forOpenParts(const std::int32_t* labels, const float* w, int width, const Work& work) {
   const auto isOpen = [&](int column) {
-    std::int32_t least = labels[column];
+    int open = 0;
     if (column + kKnownBlock <= width)
-      for (int k = 0; k < kKnownBlock; ++k) least = std::min(least, labels[column + k]);
+      for (int k = column; k < column + kKnownBlock; ++k) open |= (labels[k] <= 0) & (w[k] > 0.0f);
     else
-      for (int k = column; k < width; ++k) least = std::min(least, labels[k]);
-    return least <= 0;
+      for (int k = column; k < width; ++k) open |= (labels[k] <= 0) & (w[k] > 0.0f);
+    return open != 0;
   };
   for (int begin = 0; begin < width; begin += kKnownBlock) {
     if (!isOpen(begin)) continue;
@@ -94,8 +93,8 @@ void KnownRegions::carryFrom(const KnownPlanes& known, const Isometry3& pose) {
 // The samples that may be a plane's, as far as the expectation goes.
 void KnownRegions::lookNear(const InverseDepthImage& image, const Rule& rule) {
   near_.assign(expected_.size(), PlaneMoments());
-  for (int row = kAdaptingRows / 2; row < image.height; row += kAdaptingRows) lookNearInRow(image, row, rule);
-  const double share = std::min(1.0, kAdaptingRows * kAdaptingColumns / std::max(1.0, rule.pixels_per_sample));
+  for (int row = rule.row_step / 2; row < image.height; row += rule.row_step) lookNearInRow(image, row, rule);
+  const double share = std::min(1.0, rule.row_step * kAdaptingColumns / std::max(1.0, rule.pixels_per_sample));
   seen_.assign(expected_.size() - 1, SeenPlane());
   for (std::size_t k = 0; k < seen_.size(); ++k) {
     seen_[k].rays = share * near_[k + 1].rays;
@@ -108,7 +107,7 @@ void KnownRegions::lookNear(const InverseDepthImage& image, const Rule& rule) {
 const std::int32_t* KnownRegions::expectedInRow(const InverseDepthImage& image, int row) {
   row_expected_.assign(static_cast<std::size_t>(image.width), 0);
   for (CarriedLabels& carried : carried_)
-    forOpenParts(row_expected_.data(), image.width, [&](int begin, int end) {
+    forOpenParts(row_expected_.data(), image.w.data() + image.index(row, 0), image.width, [&](int begin, int end) {
       const std::int32_t* planes = carried.planes(image, row, begin, end);
       std::int32_t* expected = row_expected_.data() + begin;
       for (int k = 0; k < end - begin; ++k) expected[k] = expected[k] > 0 ? expected[k] : planes[k];
@@ -177,7 +176,7 @@ std::size_t KnownRegions::takeLabels(const InverseDepthImage& image, int row, st
   const auto along = static_cast<float>(image.along[static_cast<std::size_t>(row)]);
   const std::size_t first = image.index(row, 0);
   std::size_t count = 0;
-  forOpenParts(labels, image.width, [&](int begin, int end) {
+  forOpenParts(labels, image.w.data() + first, image.width, [&](int begin, int end) {
     const std::size_t i = first + static_cast<std::size_t>(begin);
     const KnownRow part = {image.w.data() + i, image.weight.data() + i, carried.across() + begin, along, end - begin};
     const std::int32_t* const planes = carried.planes(image, row, begin, end);

@@ -22,6 +22,7 @@ class KnownRegions {
     double max_residual = 3.0;       ///< sigma
     double pixels_per_sample = 1.0;  ///< samples of the grid that an independent one covers
     double error_scale = 1.0;        ///< alignPose()
+    int row_step = 8;                ///< the pose and where planes are are found in every so many rows
   };
 
   /// The first labels of `map` become those of the known planes, on the samples that are expected to be theirs and lie

@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 #include "inverse_depth/relabelling.h"
 #include "inverse_depth/uniform_block-inl.h"
 #include "vector/dispatch.h"
@@ -33,6 +35,18 @@ void relabel(std::int32_t* labels, std::size_t count, const std::int32_t* new_la
   for (; i < count; ++i) labels[i] = new_label[labels[i]];
 }
 
+/// to[i] = new_label[labels[i]].
+void relabelInto(const std::int32_t* labels, std::size_t count, const std::int32_t* new_label, std::int32_t* to) {
+  std::size_t i = 0;
+  for (; i + kBlock <= count; i += kBlock) {
+    if (isUniform<kBlock>(labels + i))
+      std::fill_n(to + i, kBlock, new_label[labels[i]]);
+    else
+      for (std::size_t k = i; k < i + kBlock; ++k) to[k] = new_label[labels[k]];
+  }
+  for (; i < count; ++i) to[i] = new_label[labels[i]];
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace epcc
 HWY_AFTER_NAMESPACE();
@@ -41,9 +55,14 @@ HWY_AFTER_NAMESPACE();
 namespace epcc {
 
 HWY_EXPORT(relabel);
+HWY_EXPORT(relabelInto);
 
 void relabelPixels(std::int32_t* labels, std::size_t count, const std::int32_t* new_label) {
   EPCC_KERNEL(relabel)(labels, count, new_label);
+}
+
+void relabelPixels(const std::int32_t* labels, std::size_t count, const std::int32_t* new_label, std::int32_t* to) {
+  EPCC_KERNEL(relabelInto)(labels, count, new_label, to);
 }
 
 }  // namespace epcc

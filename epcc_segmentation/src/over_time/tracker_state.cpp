@@ -14,6 +14,7 @@ namespace epcc {
 
 namespace {
 
+constexpr long kFramesToWait = 4;          // until little that is new is segmented
 constexpr int kPlacesAcross = 40;          // along the longer side of a frame: those that are remembered
 constexpr double kShareOfKeyframe = 0.7;   // of what is known
 constexpr double kHardToBelieve = 5.0;     // sigma of the motion
@@ -27,6 +28,12 @@ Eigen::Matrix<double, 6, 6> poseCovariance(double angle, double offset) {
   Eigen::Matrix<double, 6, 6> c = Eigen::Matrix<double, 6, 6>::Zero();
   c.diagonal() << angle * angle, angle * angle, angle * angle, offset * offset, offset * offset, offset * offset;
   return c;
+}
+
+/// Of the samples that are measured, on whatever grid.
+double explainedShare(const Continuation& continuation) {
+  return static_cast<double>(continuation.from_views) /
+         static_cast<double>(std::max<std::size_t>(1, continuation.samples));
 }
 
 }  // namespace
@@ -47,9 +54,11 @@ UncertainPose PlaneTracker::State::expectedPose(const std::optional<Eigen::Isome
 void PlaneTracker::State::expect(const std::optional<Eigen::Isometry3d>& given) {
   known.pose = expectedPose(given);
   known.planes.clear();
+  known.confidence.clear();
   known.views.clear();
   known_tracks.clear();
   known.error_scale = error_scale;
+  known.may_wait = frame - last_look < kFramesToWait;
   known.search = frame < tracker.confirm_frames || frame - last_search >= tracker.search_frames;
   number_of_track.assign(tracks.all().size(), 0);
   for (const Keyframe* view : {&keyframe, &last})
@@ -62,7 +71,8 @@ KnownView PlaneTracker::State::knownView(const Keyframe& view) {
   result.width = view.width;
   result.height = view.height;
   result.camera_to_map = view.pose;
-  result.plane_of_label.assign(view.track_of_plane.size() + 1, 0);
+  result.plane_of_label.assign(view.track_of_plane.size() + 2, 0);
+  result.plane_of_label.back() = kNotLookedAt;
   const Eigen::Isometry3d camera(known.pose.camera_to_map);
   for (std::size_t k = 0; k < view.track_of_plane.size(); ++k) {
     const int track = tracks.alive(view.track_of_plane[k]);
@@ -72,6 +82,7 @@ KnownView PlaneTracker::State::knownView(const Keyframe& view) {
     if (number == 0) {
       if (planeSeenFrom(camera, plane.coefficients)(3) < kSeenFromAside) continue;
       known.planes.push_back(plane);
+      known.confidence.push_back(tracks.at(track).confidence);
       known_tracks.push_back(track);
       number = static_cast<std::int32_t>(known.planes.size());
     }
@@ -108,8 +119,7 @@ bool PlaneTracker::State::goesOnInstead(const DepthFrame& depth, PlaneSegmentati
   const UncertainPose as_given = known.pose;
   known.pose = expectedPose(std::nullopt);
   const bool done = extractor.extract(depth, known, by_motion, other);
-  if (!done || static_cast<double>(other.from_views) <=
-                   kClearlyMore * static_cast<double>(std::max<std::size_t>(1, continuation.from_views))) {
+  if (!done || explainedShare(other) <= kClearlyMore * explainedShare(continuation)) {
     known.pose = as_given;
     return false;
   }
@@ -212,15 +222,17 @@ void PlaneTracker::State::label(TrackedFrame& result) const {
     if (track >= 0) lasting[k + 1] = tracks.at(track).label;
   }
   result.label_of_plane.assign(lasting.begin() + 1, lasting.end());
-  result.labels = result.segmentation.labels;
-  relabelPixels(result.labels.data(), result.labels.size(), lasting.data());
+  const std::vector<std::int32_t>& labels = result.segmentation.labels;
+  result.labels.resize(labels.size());
+  relabelPixels(labels.data(), labels.size(), lasting.data(), result.labels.data());
 }
 
 // The frame becomes the last one, and the keyframe if that shows too little of what is known.
 void PlaneTracker::State::remember(const PlaneSegmentation& segmentation) {
   if (known.search) last_search = frame;
   known.views.clear();  // or what they show would have to stay
-  last.take(segmentation, track_of_plane, pose);
+  if (continuation.waiting.empty()) last_look = frame;
+  last.take(segmentation, track_of_plane, pose, continuation);
   const auto from_keyframe = static_cast<double>(continuation.from_first_view);
   const bool shows_enough =
       keyframe.labels != nullptr && from_keyframe > kShareOfKeyframe * static_cast<double>(continuation.from_views);

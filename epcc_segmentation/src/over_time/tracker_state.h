@@ -38,7 +38,7 @@ struct PlaneTracker::State {
   PlaneExtractor extractor;
   MapTracks tracks;
   std::string error;
-  long frame = 0, last_search = 0;
+  long frame = 0, last_search = 0, last_look = 0;
   double error_scale = 1.0;
   bool has_pose = false;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(), motion = Eigen::Isometry3d::Identity();

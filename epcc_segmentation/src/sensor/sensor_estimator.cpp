@@ -146,6 +146,14 @@ SensorEstimate SensorEstimator::update(const InverseDepthImage& image) {
   return stream_->summary;
 }
 
+SensorEstimate SensorEstimator::latest() const {
+  return stream_->summary;
+}
+
+bool SensorEstimator::isSettled() const {
+  return stream_->estimates.size() == stream_->memory;
+}
+
 std::pair<const BlockResiduals*, std::size_t> SensorEstimator::lastBlocks() const {
   const auto& blocks = stream_->estimation.flatBlocks();
   return {blocks.data() + stream_->first_block, blocks.size() - stream_->first_block};

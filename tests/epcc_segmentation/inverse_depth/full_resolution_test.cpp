@@ -81,6 +81,30 @@ TEST(FullResolution, AThinThingBetweenTheSamplesIsNoPartOfTheWall) {
   for (std::size_t i = 80; i < labels.size(); i += width) EXPECT_EQ(labels[i], 0) << i / width;
 }
 
+TEST(FullResolution, TheRowsOfALabelHoldAllItsPixels) {
+  for (const int stride : {2, 3, 4})
+    for (const int threads : {1, 3}) {
+      const RenderedRoom room = oddRoom();
+      const InverseDepthImage image = epcc::test::imageOf(room, epcc::test::kWhite);
+      InverseDepthImage samples;
+      samples.sample(image, stride);
+      samples.weigh(epcc::test::kWhite, image.placeVariance());
+      Labels labels;
+      FullResolution full;
+      full.label(image, samples.noise, truthOnGrid(room, samples, stride), stride,
+                 InverseDepthParameters().expert.refinement, threads, labels);
+      std::vector<epcc::RowSpan> seen(4);
+      for (std::size_t i = 0; i < labels.size(); ++i)
+        seen[static_cast<std::size_t>(labels[i])].add(static_cast<int>(i) / room.camera.width);
+      ASSERT_EQ(full.pixelRows().size(), seen.size());
+      for (std::size_t k = 1; k < seen.size(); ++k) {
+        EXPECT_LE(full.pixelRows()[k].begin, seen[k].begin) << k;
+        EXPECT_GE(full.pixelRows()[k].end, seen[k].end) << k;
+        EXPECT_LE(full.pixelRows()[k].end - full.pixelRows()[k].begin, seen[k].end - seen[k].begin + 3 * stride) << k;
+      }
+    }
+}
+
 TEST(FullResolution, PixelsWithoutDepthHaveNoLabel) {
   RenderedRoom scene = oddRoom();
   for (std::size_t i = 0; i < scene.depth.size(); i += 3) scene.depth[i] = 0.0f;

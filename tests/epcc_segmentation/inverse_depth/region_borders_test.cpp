@@ -99,6 +99,9 @@ TEST(Relabelling, LooksEveryLabelUp) {
       auto labels = speckledLabels(width, 11, 5, 9);
       auto expected = labels;
       for (auto& label : expected) label = new_label[static_cast<std::size_t>(label)];
+      std::vector<std::int32_t> elsewhere(labels.size(), -1);
+      epcc::relabelPixels(labels.data(), labels.size(), new_label.data(), elsewhere.data());
+      EXPECT_EQ(elsewhere, expected) << width;
       epcc::relabelPixels(labels.data(), labels.size(), new_label.data());
       EXPECT_EQ(labels, expected) << width;
     }

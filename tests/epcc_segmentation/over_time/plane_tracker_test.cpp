@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -169,6 +168,34 @@ TEST(PlaneTracker, WhatIsNewIsFoundBetweenSearches) {
   EXPECT_GT(label, static_cast<std::int32_t>(test::cornerPlanes().size()));
 }
 
+TEST(PlaneTracker, LittleThatIsNewWaitsAFewFramesAndIsFoundThen) {
+  TrackerParameters rarely;
+  rarely.search_frames = 1000;
+  PlaneTracker tracker(rarely, Parameters(), kSensor);
+  TrackedFrame tracked;
+  int first = -1;
+  for (int k = 0; k < 20; ++k) {
+    test::RenderedRoom room = roomFrom(cameraAt(0), static_cast<unsigned>(k));
+    if (k >= 8) test::addBoard(room, 40, 60, 20);  // a fiftieth of the frame
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), k / 30.0, tracked)) << tracker.error();
+    if (first < 0 && k >= 8 && tracked.segmentation.labels[50 * 160 + 70] > 0) first = k;
+    EXPECT_TRUE(first < 0 || tracked.segmentation.labels[50 * 160 + 70] > 0) << k;
+  }
+  EXPECT_GE(first, 8);
+  EXPECT_LE(first, 12);
+}
+
+TEST(PlaneTracker, WhatIsNewAndLargeDoesNotWait) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame tracked;
+  for (int k = 0; k < 15; ++k) {
+    test::RenderedRoom room = roomFrom(cameraAt(0), static_cast<unsigned>(k));
+    if (k >= 13) test::addBoard(room, 20, 40, 80);
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), k / 30.0, tracked)) << tracker.error();
+    EXPECT_GT(tracked.segmentation.labels[60 * 160 + 80], 0) << k;
+  }
+}
+
 TEST(PlaneTracker, TheSameFramesGiveTheSameLabels) {
   std::vector<std::int32_t> first;
   for (int run = 0; run < 2; ++run) {
@@ -210,39 +237,6 @@ TEST(PlaneTracker, NonsenseIsRefusedAndTheNextFrameIsTaken) {
   wrong = TrackerParameters();
   wrong.pose_offset_sigma = -1.0;
   EXPECT_EQ(wrong.validate(), "pose_offset_sigma must be above 0 and at most 10 m");
-}
-
-// The pose is exact: its covariance is 0.
-TEST(KnownPlanes, TwoHalvesOfAWallAreJudgedWhereNothingIsNew) {
-  const test::RenderedRoom room = test::renderRoom(test::cornerPlanes(), test::testCamera());
-  PlaneExtractor extractor(Parameters(), kSensor);
-  PlaneSegmentation first, again;
-  ASSERT_TRUE(extractor.extract(room.frame(), first));
-  const auto halves = static_cast<std::int32_t>(first.planes.size()) + 1;
-  auto labels = std::make_shared<std::vector<std::int32_t>>(first.labels);
-  for (std::size_t i = 0; i < labels->size(); ++i)
-    if ((*labels)[i] == 1 && i % 160 >= 80) (*labels)[i] = halves;
-  KnownPlanes known;
-  KnownView view;
-  view.plane_of_label.push_back(0);
-  for (std::int32_t label = 1; label <= halves; ++label) {
-    const Plane& plane = first.planes[label == halves ? 0 : static_cast<std::size_t>(label) - 1];
-    known.planes.push_back({plane.coefficients, plane.coefficients_covariance});
-    view.plane_of_label.push_back(label);
-  }
-  view.labels = labels;
-  view.width = first.width;
-  view.height = first.height;
-  known.views.push_back(view);
-  Continuation continuation;
-  ASSERT_TRUE(extractor.extract(room.frame(), known, again, continuation));
-  EXPECT_EQ(again.planes.size(), known.planes.size()) << "they are not joined in the frame";
-  ASSERT_FALSE(continuation.alike.empty());
-  for (const auto& pair : continuation.alike) EXPECT_EQ(pair, std::pair(0, halves - 1));
-  known.search = false;
-  ASSERT_TRUE(extractor.extract(room.frame(), known, again, continuation));
-  EXPECT_TRUE(continuation.alike.empty());
-  EXPECT_EQ(again.planes.size(), known.planes.size());
 }
 
 TEST(PlaneTracker, InThePaperModePlanesAreFoundByTheirPlace) {

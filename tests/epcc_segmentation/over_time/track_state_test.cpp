@@ -110,7 +110,7 @@ TEST(Keyframe, HoldsEveryOtherPixelOfALargeFrame) {
   segmentation.labels.assign(640 * 480, 0);
   segmentation.labels[641 + 2] = 5;  // row 1, column 3
   Keyframe frame;
-  frame.take(segmentation, {}, Eigen::Isometry3d::Identity());
+  frame.take(segmentation, {}, Eigen::Isometry3d::Identity(), Continuation());
   EXPECT_EQ(frame.width, 320);
   EXPECT_EQ(frame.height, 240);
   EXPECT_EQ((*frame.labels)[1], 5);
@@ -118,9 +118,28 @@ TEST(Keyframe, HoldsEveryOtherPixelOfALargeFrame) {
   segmentation.width = segmentation.height = 1;
   segmentation.labels = {3};
   const Keyframe before = frame;
-  frame.take(segmentation, {}, Eigen::Isometry3d::Identity());
+  frame.take(segmentation, {}, Eigen::Isometry3d::Identity(), Continuation());
   EXPECT_EQ(*frame.labels, std::vector<std::int32_t>{3});
   EXPECT_GT(before.labels->size(), 1u) << "what others hold stays";
+}
+
+TEST(Keyframe, WhatWaitsIsNotLookedAtUnlessItHasALabel) {
+  PlaneSegmentation segmentation;
+  segmentation.width = 640;
+  segmentation.height = 480;
+  segmentation.labels.assign(640 * 480, 0);
+  segmentation.labels[5 * 640 + 11] = 1;  // sampled as row 2, column 5
+  Continuation continuation;
+  continuation.waiting = {4 * 640 + 8, 476 * 640 + 636};
+  continuation.waiting_side = 4;
+  Keyframe frame;
+  frame.take(segmentation, {7}, Eigen::Isometry3d::Identity(), continuation);
+  std::vector<std::int32_t> expected(320 * 240, 0);
+  for (const int place :
+       {2 * 320 + 4, 3 * 320 + 4, 3 * 320 + 5, 238 * 320 + 318, 238 * 320 + 319, 239 * 320 + 318, 239 * 320 + 319})
+    expected[static_cast<std::size_t>(place)] = 2;  // one more than there are planes
+  expected[2 * 320 + 5] = 1;
+  EXPECT_EQ(*frame.labels, expected);
 }
 
 }  // namespace

@@ -41,7 +41,10 @@ TEST(SensorEstimator, OnceSettledItsEstimateIsOfRoundsOfFourFrames) {
   epcc::test::addNoise(calm, SensorModel::axial(0.002, 0.0), 1);
   epcc::test::addNoise(rough, SensorModel::axial(0.02, 0.0), 1);
   epcc::SensorEstimator estimator(1, 4);
+  EXPECT_FALSE(estimator.isSettled());
   const double settled = estimator.update(calm.frame()).model().sigmaZ(1.8);
+  EXPECT_TRUE(estimator.isSettled());
+  EXPECT_EQ(estimator.latest().model().sigmaZ(1.8), settled);
   for (int frame = 0; frame < 3; ++frame)
     EXPECT_EQ(estimator.update(rough.frame()).model().sigmaZ(1.8), settled) << frame;
   EXPECT_GT(estimator.update(rough.frame()).model().sigmaZ(1.8), 5.0 * settled);
