@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -22,6 +23,8 @@ namespace {
 
 /// No deflate stream grows by more when it is unpacked (1032).
 constexpr std::uintmax_t kMaxCompression = 1040;
+/// What libpng may take at once beyond the size of the file: more than its rows and its inflater need.
+constexpr std::uintmax_t kPngWorkspace = 1u << 20;
 
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -45,13 +48,24 @@ void onWarning(png_structp, png_const_charp) {}
 
 // ---- reading ----
 
+// libpng takes the memory that a chunk says it needs, up to 2 GiB, before it looks whether the file has as much; its
+// own limit is a warning.
+png_voidp allocateForReading(png_structp png, png_alloc_size_t size) {
+  return size <= *static_cast<const std::uintmax_t*>(png_get_mem_ptr(png)) ? std::malloc(size) : nullptr;
+}
+void freeOfReading(png_structp, png_voidp memory) {
+  std::free(memory);
+}
+
 struct Reader : PngContext {
   png_uint_32 width = 0, height = 0;
   int bit_depth = 0, color_type = 0;
+  std::uintmax_t most_memory;  // at once
 
-  explicit Reader(std::FILE* source) {
+  Reader(std::FILE* source, std::uintmax_t file_size) : most_memory(file_size + kPngWorkspace) {
     file = source;
-    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<PngContext*>(this), onError, onWarning);
+    png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, static_cast<PngContext*>(this), onError, onWarning,
+                                   &most_memory, allocateForReading, freeOfReading);
     if (png != nullptr) info = png_create_info_struct(png);
   }
   Reader(const Reader&) = delete;
@@ -188,7 +202,7 @@ LabelImage labelsFromColors(const std::string& path, const ColorImage& colors) {
 
 Image<std::uint16_t> readGray16(const std::string& path) try {
   const File file = openPng(path);
-  Reader reader(file.get());
+  Reader reader(file.get(), inputFileSize(path));
   readCheckedHeader(path, reader);
   if (reader.color_type != PNG_COLOR_TYPE_GRAY) throw InputError(path, "color type", "is not greyscale");
   if (reader.bit_depth != 16)
@@ -200,7 +214,7 @@ Image<std::uint16_t> readGray16(const std::string& path) try {
 
 LabelImage readLabelPng(const std::string& path) try {
   const File file = openPng(path);
-  Reader reader(file.get());
+  Reader reader(file.get(), inputFileSize(path));
   readCheckedHeader(path, reader);
   const bool one_number = reader.color_type == PNG_COLOR_TYPE_GRAY || reader.color_type == PNG_COLOR_TYPE_PALETTE;
   if (!one_number && reader.color_type != PNG_COLOR_TYPE_RGB)

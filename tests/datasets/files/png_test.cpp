@@ -2,6 +2,8 @@
 // 16-bit grey PNG: values as stored, through the writer and from files made by hand.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <numeric>
 
 #include "datasets/files/png_io.h"
@@ -103,6 +105,26 @@ TEST_F(PngTest, DamagedUnimportantChunkIsPassedOver) {
   recipe.before_image = test::pngChunk("tEXt", "Title");
   recipe.before_image.back() ^= 1;
   expectGrayValues(test::pngBytes(recipe));
+}
+
+/// The most address space that this process has had, in KiB.
+long peakAddressSpace() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmPeak:", 0) == 0) return std::atol(line.c_str() + 7);
+  return 0;
+}
+
+TEST_F(PngTest, ChunkLongerThanTheFileTakesNoMemory) {
+  auto recipe = test::grayRecipe();
+  recipe.before_image = test::pngChunk("tEXt", "Title");
+  recipe.before_image.replace(0, 4, test::bigEndian32(0x54000003));
+  const std::string file = write("a.png", test::pngBytes(recipe));
+  const long before = peakAddressSpace();
+  ASSERT_GT(before, 0);
+  test::expectInputError([&] { readGray16(file); }, file, "PNG header", "");
+  test::expectInputError([&] { readLabelPng(file); }, file, "PNG header", "");
+  EXPECT_LT(peakAddressSpace() - before, 64 * 1024);
 }
 
 TEST_F(PngTest, BytesBehindTheEndArePassedOver) {
