@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t kNumbers = 8;
 constexpr double kLengthTolerance = 0.01;  // of a quaternion: files have three decimals and more
 constexpr std::size_t kMaxPoses = 100U * 1000 * 1000;
+constexpr std::size_t kMaxTrajectoryLine = kNumbers * 330;  // the largest numbers have 309 digits before the point
 const char kTrajectoryHeading[] = "# timestamp tx ty tz qx qy qz qw (s; camera to world, metres)\n";
 
 /// Empty, or what is wrong with the line.
@@ -68,7 +69,7 @@ std::string trajectoryLine(const StampedPose& stamped) {
   turn.normalize();
   if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
   const Eigen::Vector3d at = stamped.pose.translation();
-  char text[320];
+  char text[kMaxTrajectoryLine];
   std::snprintf(text, sizeof text, "%.6f %.9f %.9f %.9f %.9f %.9f %.9f %.9f\n", stamped.time, at.x(), at.y(), at.z(),
                 turn.x(), turn.y(), turn.z(), turn.w());
   return text;

@@ -52,6 +52,17 @@ TEST_F(TrajectoryFile, WritesWhatItReads) {
   }
 }
 
+TEST_F(TrajectoryFile, WritesTheLargestNumbersWhole) {
+  StampedPose far;
+  far.time = 1e300;
+  far.pose.translation() = Eigen::Vector3d(-1.5e308, 1e308, -1e307);
+  writeTrajectory(path("a.txt"), {stamped(0.0, 0.0, 0.0), far});
+  const Trajectory read = readTrajectory(path("a.txt"));
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[1].time, far.time);
+  EXPECT_EQ(read[1].pose.translation(), far.pose.translation());
+}
+
 TEST_F(TrajectoryFile, NamesTheDamagedLine) {
   expectDamaged(kFirst + "2.0 1 2 3 0 0 1\n", "line 2", "7 words");
   expectDamaged(kFirst + "2.0 1 2 3 0 0 0 1 5\n", "line 2", "9 words");
