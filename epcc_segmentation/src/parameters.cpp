@@ -3,10 +3,11 @@
 #include "epcc_segmentation/parameters.h"
 
 #include <cmath>
-#include <cstdlib>
+#include <locale>
 #include <sstream>
 
 #include "epcc_segmentation/parameter_table.h"
+#include "typed_number.h"
 
 namespace epcc {
 
@@ -15,6 +16,7 @@ namespace {
 /// As one writes it: "0.15", "60", "1e9".
 std::string numberText(double value) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(std::abs(value) < 1e6 ? 10 : 6);
   text << value;
   std::string number = text.str();
@@ -40,10 +42,8 @@ std::string rangeProblem(const ParameterField& field, double value) {
 double parsedValue(const ParameterField& field, const std::string& text) {
   for (std::size_t i = 0; i < field.choices.size(); ++i)
     if (text == field.choices[i]) return static_cast<double>(i);
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool is_number = field.choices.empty() && end != text.c_str() && *end == '\0';
-  return is_number && (!field.whole || value == std::floor(value)) ? value : std::nan("");
+  const double value = field.choices.empty() ? typedNumber(text) : std::nan("");
+  return !field.whole || value == std::floor(value) ? value : std::nan("");
 }
 
 const ParameterField* fieldNamed(const std::string& name) {

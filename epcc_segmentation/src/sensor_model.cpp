@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
+#include <string_view>
+
+#include "typed_number.h"
 
 namespace epcc {
 
@@ -38,15 +40,14 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// Exactly three finite comma-separated numbers, or nothing.
-std::optional<std::array<double, 3>> threeNumbers(const std::string& text) {
+std::optional<std::array<double, 3>> threeNumbers(std::string_view text) {
   std::array<double, 3> values{};
-  const char* at = text.c_str();
   for (std::size_t i = 0; i < 3; ++i) {
-    char* end = nullptr;
-    values[i] = std::strtod(at, &end);
-    if (end == at || !std::isfinite(values[i])) return std::nullopt;
-    if (*end != (i < 2 ? ',' : '\0')) return std::nullopt;
-    at = end + 1;
+    const std::size_t end = i < 2 ? text.find(',') : text.size();
+    if (end == std::string_view::npos) return std::nullopt;
+    values[i] = typedNumber(text.substr(0, end));
+    if (!std::isfinite(values[i])) return std::nullopt;
+    text.remove_prefix(i < 2 ? end + 1 : end);
   }
   return values;
 }

@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <limits>
+#include <locale>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -85,6 +86,36 @@ TEST(Parameters, WrongAssignmentsAreToldAndChangeNothing) {
     for (const ParameterField& field : parameterFields())
       EXPECT_EQ(field.get(p), field.get(Parameters())) << field.name;
   }
+}
+
+TEST(Parameters, AValueIsReadToItsEnd) {
+  Parameters p;
+  EXPECT_NE(setParameter(std::string("inverse_depth.line_k_max=1\0 and more", 37), p), "");
+  EXPECT_NE(setParameter(std::string("threads=2\0", 10), p), "");
+  EXPECT_EQ(p.threads, 1);
+  EXPECT_EQ(setParameter("inverse_depth.line_k_max= +1.5", p), "");
+  EXPECT_EQ(p.inverse_depth.line_k_max, 1.5);
+}
+
+class CommaInNumbers : public std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Parameters, AreTheSameInEveryLocale) {
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaInNumbers));
+  Parameters p;
+  EXPECT_EQ(setParameter("inverse_depth.line_k_max=1.5", p), "");
+  EXPECT_EQ(setParameter("inverse_depth.min_points=12345", p), "");
+  for (const ParameterField& field : parameterFields()) {
+    const std::string text = valueText(field, field.get(p));
+    EXPECT_EQ(text.find(','), std::string::npos) << field.name << "=" << text;
+    Parameters copy = p;
+    EXPECT_EQ(setParameter(std::string(field.name) + "=" + text, copy), "");
+    EXPECT_EQ(field.get(copy), field.get(p)) << field.name;
+  }
+  std::locale::global(before);
 }
 
 /// The comment before the last member called `name` that follows `after`, in one line.

@@ -57,6 +57,13 @@ TEST(SensorModel, ParseSaysWhatIsWrong) {
   }
 }
 
+TEST(SensorModel, IsParsedToItsEnd) {
+  EXPECT_FALSE(SensorModel::parse(std::string("0.1,0.2,1\0 and more", 18)).has_value());
+  EXPECT_FALSE(SensorModel::parse("0.1,0.2,1,").has_value());
+  EXPECT_FALSE(SensorModel::parse("0.1,0.2").has_value());
+  EXPECT_TRUE(SensorModel::parse("0.1, 0.2, +1").has_value());
+}
+
 TEST(SensorModel, SigmaIsNeverZero) {
   EXPECT_GT(SensorModel::polynomial(1.0, -2.0, 0.5).sigmaZ(1.0), 0.0);
 }
