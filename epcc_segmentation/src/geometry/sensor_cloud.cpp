@@ -58,12 +58,12 @@ void SensorCloud::copyRow(const DepthFrame& frame, int row, float* to) const {
   const bool is_plain_order =
       geometry_.grid.ring_order.empty() && geometry_.grid.ring_shift.empty() && !geometry_.grid.rings_are_columns;
   const bool may_be_marked = !geometry_.invalid_points.empty() || frame.mask() != nullptr;
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kNoPoint = std::numeric_limits<float>::quiet_NaN();
   for (int column = 0; column < columns_; ++column, to += 4) {
     const std::size_t pixel = is_plain_order ? static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
                                                    static_cast<std::size_t>(column)
                                              : callersPixel(row, column);
-    to[0] = to[1] = to[2] = kNan;
+    to[0] = to[1] = to[2] = kNoPoint;
     to[3] = 1.0f;
     if (pixel == kNoPixel) continue;
     const float* p = points + stride * pixel;
@@ -76,7 +76,7 @@ void SensorCloud::copyRow(const DepthFrame& frame, int row, float* to) const {
     map.apply(p, to);
     if (!has_range) continue;
     const double depth = is_scanner ? std::hypot(to[0], to[1], to[2]) : to[2];
-    if (!(depth >= geometry_.min_depth && depth <= geometry_.max_depth)) to[2] = kNan;
+    if (!(depth >= geometry_.min_depth && depth <= geometry_.max_depth)) to[2] = kNoPoint;
   }
 }
 

@@ -281,7 +281,7 @@ class Refiner {
       const bool current_is_surface =
           kind == Crease::Convex ? candidate.difference <= 0.0 : candidate.difference >= 0.0;
       const bool cheap = candidate.other_error < candidate.error + parameters_.crease_slack;
-      const Verdict verdict = !current_is_surface & cheap ? Verdict::Flip : Verdict::Keep;
+      const Verdict verdict = (!current_is_surface & cheap) ? Verdict::Flip : Verdict::Keep;
       candidate.verdict = kind == Crease::Unknown ? Verdict::Residual : verdict;
     }
   }

@@ -27,7 +27,7 @@ bool OpenBlocks::mark(const InverseDepthImage& image, const RegionMap& map) {
     for (int column = 0; column < image.width; column += kBlock) {
       const int end = std::min(image.width, column + kBlock);
       int count = 0;
-      for (int k = column; k < end; ++k) count += (labels[k] == 0) & (w[k] > 0.0f) ? 1 : 0;
+      for (int k = column; k < end; ++k) count += ((labels[k] == 0) & (w[k] > 0.0f)) ? 1 : 0;
       *counts++ += count;
     }
   }

@@ -48,7 +48,9 @@ struct SampleBuffer {
   static std::size_t length(const ClusteringRule& rule) {
     return static_cast<std::size_t>(2 * rule.buffer_samples + kPadding);
   }
-  static std::size_t floats(const ClusteringRule& rule) { return (kFields + kCounts) * length(rule); }
+  static std::size_t floats(const ClusteringRule& rule) {
+    return (std::size_t{kFields} + std::size_t{kCounts}) * length(rule);
+  }
   float* place(float* memory, const ClusteringRule& rule) {
     capacity = 2 * rule.buffer_samples;
     for (float*& field : fields) {

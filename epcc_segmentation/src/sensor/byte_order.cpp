@@ -54,7 +54,7 @@ bool bytesAreSwapped(const DepthView<std::uint16_t>& depth) {
     };
     for (std::size_t i = 0; i + 1 < width; ++i) {
       const std::uint32_t a = valueAt(i), b = valueAt(i + 1);
-      const std::uint32_t counts = (a != 0) & (b != 0) & (a != kNoDepth) & (b != kNoDepth) ? 1U : 0U;
+      const std::uint32_t counts = ((a != 0) & (b != 0) & (a != kNoDepth) & (b != kNoDepth)) ? 1U : 0U;
       pairs += counts;
       as_read.add(a, b, counts);
       other_way_round.add(swapped(a), swapped(b), counts);

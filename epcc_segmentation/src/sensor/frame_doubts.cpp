@@ -41,8 +41,8 @@ double jumpShare(const InverseDepthImage& image) {
     const float* w = image.w.data() + image.index(row, 0);
     for (int i = 0; i + 1 < image.width; ++i) {
       const float least = std::min(w[i], w[i + 1]), most = std::max(w[i], w[i + 1]);
-      pairs += (least > 0.0f) & (most > least) ? 1 : 0;
-      jumps += (least > 0.0f) & (most > kJump * least) ? 1 : 0;
+      pairs += ((least > 0.0f) & (most > least)) ? 1 : 0;
+      jumps += ((least > 0.0f) & (most > kJump * least)) ? 1 : 0;
     }
   }
   return pairs >= kPairsForDoubt ? static_cast<double>(jumps) / pairs : 0.0;
