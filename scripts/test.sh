@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs what is missing, checks the sources, builds release, runs the tests under the sanitizers and then every test;
-# ends with ctest's summary.
+# Installs what is missing, checks the sources, builds release, runs the tests under the sanitizers, fuzzes, and then runs every
+# test; ends with ctest's summary.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -9,7 +9,7 @@ stage() { printf '==== %s (after %d s)\n' "$1" "$SECONDS"; }
 
 stage "Packages"
 scripts/install_packages.sh clang-format-14 shellcheck valgrind python3-matplotlib doxygen mandoc \
-  g++-aarch64-linux-gnu
+  g++-aarch64-linux-gnu clang-14 libclang-rt-14-dev
 stage "Format, scripts, floors"
 scripts/check_format.sh
 scripts/check_scripts.sh
@@ -24,5 +24,7 @@ stage "Tests of the core, the PCL class and the data sets under AddressSanitizer
 scripts/sanitize.sh asan
 stage "Tests of all that has threads under ThreadSanitizer"
 scripts/sanitize.sh tsan
+stage "Fuzzing, 30 s a target"
+scripts/fuzz.sh
 stage "Tests"
 exec ctest --test-dir build/release --output-on-failure -j "$(nproc)"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Damaged files are read or refused with an InputError, nothing else. EPCC_FUZZ_ITERATIONS sets how many of each kind.
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -20,6 +18,7 @@
 #include "tests/datasets/files/png_bytes.h"
 #include "tests/datasets/files/segcomp_files.h"
 #include "tests/support/expect_errors.h"
+#include "tests/support/memory_file.h"
 
 namespace epcc {
 namespace {
@@ -30,23 +29,6 @@ long iterations() {
   return count > 0 ? count : 2000;
 }
 
-/// A file that no disk slows down.
-class MemoryFile {
- public:
-  MemoryFile() : descriptor_(::memfd_create("fuzz", 0)) {}
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { ::close(descriptor_); }
-  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-  bool fill(const std::string& bytes) const {
-    return ::ftruncate(descriptor_, 0) == 0 &&
-           ::pwrite(descriptor_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size());
-  }
-
- private:
-  int descriptor_;
-};
-
 class FuzzTest : public test::TempFolderTest {
  protected:
   using Read = std::function<void(const std::string& file)>;
@@ -54,8 +36,8 @@ class FuzzTest : public test::TempFolderTest {
 
   /// Reads `good` damaged in many ways. Both outcomes must occur, or the damage is not worth the time.
   void fuzz(const std::string& good, const Read& read, const Repair& repair = {}) const {
-    const MemoryFile memory;
-    const std::string file = memory.path();
+    const test::MemoryFile memory;
+    const std::string& file = memory.path();
     ASSERT_TRUE(memory.fill(good));
     ASSERT_NO_THROW(read(file));
     long accepted = 0, refused = 0;

@@ -3,9 +3,9 @@
 #include "datasets/files/laser_log.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include "tests/support/expect_errors.h"
+#include "tests/support/gzip_bytes.h"
 #include "tests/support/temp_folder.h"
 
 namespace epcc::test {
@@ -19,20 +19,6 @@ const std::string kRawLaser = "RAWLASER1 0 -1.0 2.0 1.0 50 0.01 0 3 1 2 3 0 12.2
 const std::string kHeading =
     "%time,field.angle_min,field.angle_max,field.angle_increment,field.range_min,field.range_max,"
     "field.ranges0,field.ranges1,field.ranges2,field.intensities0\n";
-
-std::string packed(const std::string& text) {
-  z_stream stream{};
-  deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-  std::string bytes(text.size() + 100, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
-  stream.avail_out = static_cast<uInt>(bytes.size());
-  deflate(&stream, Z_FINISH);
-  bytes.resize(bytes.size() - stream.avail_out);
-  deflateEnd(&stream);
-  return bytes;
-}
 
 class LaserLogFile : public TempFolderTest {
  protected:
