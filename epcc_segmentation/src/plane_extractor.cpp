@@ -312,7 +312,8 @@ bool PlaneExtractor::check(const DepthFrame& frame, PlaneSegmentation& result) {
   if (error_.empty() && !measures_sensor_) error_ = given_sensor_.validate();
   if (!error_.empty()) return fail(Status::InvalidParameters, error_, result);
   if (frame.empty()) return fail(frame.status(), frame.problem(), result);
-  if (frame.projection() == Projection::Spherical && parameters_.scan == ScanDirection::Rows)
+  const bool scans_rows = parameters_.scan == ScanDirection::Rows || frame.isTransposed();
+  if (frame.projection() == Projection::Spherical && scans_rows)
     return fail(Status::UnsupportedScan, "the rows of a spherical scan are cones, not planar sections: scan by columns",
                 result);
   return true;

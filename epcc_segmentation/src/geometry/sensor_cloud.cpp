@@ -82,18 +82,21 @@ void SensorCloud::copyRow(const DepthFrame& frame, int row, float* to) const {
 
 DepthFrame SensorCloud::of(const DepthFrame& frame, int threads) {
   geometry_ = *frame.geometry();
-  width_ = frame.width();
-  height_ = frame.height();
+  is_transposed_ = frame.isTransposed();
+  const DepthFrame cloud = is_transposed_ ? frame.transposed() : frame;  // as it lies in the caller's memory
+  width_ = cloud.width();
+  height_ = cloud.height();
   columns_ = (geometry_.grid.rings_are_columns ? height_ : width_) + geometry_.grid.margin;
   rows_ = geometry_.grid.rings_are_columns ? width_ : height_;
   const std::size_t row_floats = 4 * static_cast<std::size_t>(columns_);
   points_.resize(row_floats * static_cast<std::size_t>(rows_));
   parallelFor(rows_, threads, [&](int, int begin, int end) {
     for (int row = begin; row < end; ++row)
-      copyRow(frame, row, points_.data() + row_floats * static_cast<std::size_t>(row));
+      copyRow(cloud, row, points_.data() + row_floats * static_cast<std::size_t>(row));
   });
   DepthFrame own = DepthFrame::fromPoints(points_.data(), 4, columns_, rows_, geometry_.projection);
-  return geometry_.grid.closes_round ? own.closedRound() : own;
+  if (geometry_.grid.closes_round) own = own.closedRound();
+  return is_transposed_ ? own.transposed() : own;
 }
 
 void SensorCloud::takeLabels(const std::vector<std::int32_t>& labels, std::vector<std::int32_t>& own) const {
@@ -108,8 +111,8 @@ void SensorCloud::takeLabels(const std::vector<std::int32_t>& labels, std::vecto
 void SensorCloud::giveBackLabels(PlaneSegmentation& result) {
   const bool is_plain_order = columns_ == width_ && geometry_.grid.ring_order.empty() &&
                               geometry_.grid.ring_shift.empty() && !geometry_.grid.rings_are_columns;
-  result.width = width_;
-  result.height = height_;
+  result.width = is_transposed_ ? height_ : width_;
+  result.height = is_transposed_ ? width_ : height_;
   if (is_plain_order) return;
   labels_.swap(result.labels);
   result.labels.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);

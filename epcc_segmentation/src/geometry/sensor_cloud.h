@@ -29,7 +29,8 @@ class SensorCloud {
   void giveBackSegments(PlaneSegmentation& result) const;
 
   CloudGeometry geometry_;
-  int width_ = 0, height_ = 0;  // of the caller's cloud
+  bool is_transposed_ = false;  // the caller's view
+  int width_ = 0, height_ = 0;  // of the caller's cloud, as it lies in memory
   int columns_ = 0, rows_ = 0;  // in the order of the sensor
   std::vector<float> points_;   // four floats each
   std::vector<std::int32_t> labels_;

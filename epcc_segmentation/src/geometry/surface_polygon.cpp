@@ -35,9 +35,12 @@ SurfacePolygons failed(Status status, const char* problem) {
 std::string problemOf(const DepthFrame& frame, const PlaneSegmentation& segmentation) {
   if (frame.empty()) return frame.problem();
   const std::size_t pixels = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
-  const bool is_turned = frame.isTransposed();
-  const bool fits = segmentation.width == (is_turned ? frame.height() : frame.width()) &&
-                    segmentation.height == (is_turned ? frame.width() : frame.height());
+  const auto isSize = [&](int width, int height) {
+    return segmentation.width == width && segmentation.height == height;
+  };
+  // Of a transposed view PlaneExtractor says the view's own size, others that of the arrays.
+  const bool fits =
+      isSize(frame.width(), frame.height()) || (frame.isTransposed() && isSize(frame.height(), frame.width()));
   if (!fits || segmentation.labels.size() != pixels) return "the segmentation is not of the frame's size";
   if (pixels > static_cast<std::size_t>(std::numeric_limits<int>::max() / 8)) return "the frame has too many pixels";
   return {};

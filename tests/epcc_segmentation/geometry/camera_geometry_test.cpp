@@ -131,6 +131,24 @@ TEST(CameraGeometry, LabelsAreThoseOfThePlainCloud) {
   }
 }
 
+TEST(CameraGeometry, ATransposedViewHasTheLabelsOfTheCloud) {
+  const PosedCloud cloud = moved(posedRoom(), kTurn, kShift);
+  const Found upright = segment(cloud);
+  ASSERT_EQ(upright.error, "");
+  ASSERT_FALSE(upright.geometry.is_plain);
+  const DepthFrame frame =
+      DepthFrame::fromPoints(cloud.xyz.data(), 3, cloud.width, cloud.height, upright.geometry).transposed();
+  epcc::PlaneExtractor extractor(epcc::Parameters(), epcc::SensorModel::parse("0.008,0.001,1"));
+  epcc::PlaneSegmentation result;
+  ASSERT_TRUE(extractor.extract(frame, result)) << extractor.error();
+  EXPECT_EQ(result.width, cloud.height);
+  ASSERT_EQ(result.planes.size(), upright.result.planes.size());
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < result.labels.size(); ++i) same += result.labels[i] == upright.result.labels[i] ? 1 : 0;
+  EXPECT_GE(same, result.labels.size() * 97 / 100);
+  expectPlanesOnTheirPoints(cloud, {upright.geometry, result, ""}, 1.0, kShift);
+}
+
 TEST(CameraGeometry, RowsAndColumnsMayBeExchangedOrReversed) {
   const PosedCloud plain = posedRoom();
   const int width = plain.width, height = plain.height;

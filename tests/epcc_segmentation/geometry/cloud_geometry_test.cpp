@@ -55,6 +55,23 @@ TEST(ScannerGeometry, LessThanATurnDoesNotClose) {
   EXPECT_FALSE(geometryOf(cloud).grid.closes_round);
 }
 
+// Its columns are the cones of the rings. With a geometry it read beyond the cloud.
+TEST(ScannerGeometry, ATransposedViewIsRefused) {
+  for (const PosedCloud& cloud :
+       {epcc::test::scannerCloud(360, 32), moved(epcc::test::scannerCloud(90, 32), kTurn, kShift)}) {
+    const auto geometry = geometryOf(cloud);
+    ASSERT_EQ(geometry.status, Status::Ok);
+    ASSERT_EQ(geometry.projection, Projection::Spherical);
+    PlaneExtractor extractor(epcc::Parameters(), SensorModel::parse("0.03,0,1"));
+    epcc::PlaneSegmentation result;
+    const auto frame = DepthFrame::fromPoints(cloud.xyz.data(), 3, cloud.width, cloud.height, geometry);
+    EXPECT_TRUE(extractor.extract(frame, result)) << extractor.error();
+    EXPECT_FALSE(extractor.extract(frame.transposed(), result));
+    EXPECT_EQ(extractor.status(), Status::UnsupportedScan);
+    EXPECT_TRUE(result.planes.empty());
+  }
+}
+
 TEST(ScannerGeometry, AnyFrameAndOrder) {
   Eigen::Matrix3d y_up, x_up;
   y_up << 0, 1, 0, 0, 0, 1, 1, 0, 0;
