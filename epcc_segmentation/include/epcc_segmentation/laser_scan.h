@@ -12,7 +12,8 @@
 namespace epcc {
 
 /// Ranges of consecutive beams from one place. The sensor is the origin, x is angle 0, angles grow from x to y.
-/// NaN, infinity, what is not above `range_min` and what is not below `range_max` count as no return.
+/// NaN, what is not above `range_min`, what is not below `range_max`, and what no laser measures (below 0.1 mm, beyond
+/// 10 000 km) count as no return.
 struct LaserScan {
   std::vector<double> ranges;    ///< metres, in the order in which the beams lie side by side
   double angle_min = 0.0;        ///< of the first beam, rad
@@ -30,10 +31,10 @@ struct LaserScan {
   double angle(std::size_t beam) const {
     return angles.empty() ? angle_min + angle_increment * static_cast<double>(beam) : angles[beam];
   }
-  /// Whether a beam's range counts: finite, above range_min and below range_max.
+  /// Whether a beam's range counts: above range_min, below range_max, and one that a laser can measure.
   bool hasReturn(std::size_t beam) const {
-    return ranges[beam] > range_min && ranges[beam] < range_max &&
-           ranges[beam] < std::numeric_limits<double>::infinity();
+    constexpr double kLeast = 1e-4, kMost = 1e7;  // metres
+    return ranges[beam] > range_min && ranges[beam] < range_max && ranges[beam] >= kLeast && ranges[beam] <= kMost;
   }
   /// Whether the beams go once round, so that the last is the first one's neighbour.
   EPCC_CORE_EXPORT bool isFullCircle() const;

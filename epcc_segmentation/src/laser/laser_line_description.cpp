@@ -42,8 +42,8 @@ double covarianceScale(double chi_squared, double freedom) {
 
 }  // namespace
 
-LaserLine describeLine(const LaserScan& scan, const std::vector<LaserSample>& samples, const SensorModel& noise,
-                       GrownLaserLine& grown) {
+std::optional<LaserLine> describeLine(const LaserScan& scan, const std::vector<LaserSample>& samples,
+                                      const SensorModel& noise, GrownLaserLine& grown) {
   const int beams = static_cast<int>(scan.ranges.size());
   RangeLine& line = grown.line;
   const double freedom = static_cast<double>(grown.members.size()) - 2.0;
@@ -51,7 +51,9 @@ LaserLine describeLine(const LaserScan& scan, const std::vector<LaserSample>& sa
   result.first = samples[grown.members.front()].beam;
   result.last = samples[grown.members.back()].beam;
   result.points = static_cast<int>(grown.members.size());
-  result.chi_squared = fitRangeLine(samples, grown.members, noise, line) / freedom;
+  const double squared_errors = fitRangeLine(samples, grown.members, noise, line);
+  if (!(squared_errors >= 0.0 && freedom > 0.0)) return std::nullopt;
+  result.chi_squared = squared_errors / freedom;
   result.alpha = std::atan2(line.q.y(), line.q.x());
   result.rho = 1.0 / line.q.norm();
   line.covariance *= covarianceScale(result.chi_squared, freedom);
@@ -66,7 +68,10 @@ LaserLine describeLine(const LaserScan& scan, const std::vector<LaserSample>& sa
   const int after = result.last + 1 < beams ? result.last + 1 : std::max(0, beams - 2);
   setEnd(line, direction(result.first), direction(before), result.start, result.start_covariance);
   setEnd(line, direction(result.last), direction(after), result.end, result.end_covariance);
-  return result;
+  const bool is_line = result.start.allFinite() && result.end.allFinite() && result.covariance.allFinite() &&
+                       result.start_covariance.allFinite() && result.end_covariance.allFinite() &&
+                       std::isfinite(result.variance) && std::isfinite(result.rho);
+  return is_line ? std::optional<LaserLine>(result) : std::nullopt;
 }
 
 namespace {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
+#include <utility>
 
 #include "laser/laser_line_borders.h"
 #include "laser/laser_line_description.h"
@@ -75,12 +77,16 @@ bool LaserLineExtractor::extract(const LaserScan& scan, LaserLines& result) {
     std::sort(lines.begin(), lines.end(), [&](const GrownLaserLine& a, const GrownLaserLine& b) {
       return samples[a.members.front()].beam < samples[b.members.front()].beam;
     });
+    std::vector<GrownLaserLine> described;
     for (GrownLaserLine& grown : lines) {
-      result.lines.push_back(describeLine(scan, samples, noise_, grown));
+      const std::optional<LaserLine> line = describeLine(scan, samples, noise_, grown);
+      if (!line) continue;
+      result.lines.push_back(*line);
       for (const int i : grown.members)
         result.labels[static_cast<std::size_t>(samples[i].beam)] = static_cast<std::int32_t>(result.lines.size());
+      described.push_back(std::move(grown));
     }
-    placeCorners(scan, lines, result);
+    placeCorners(scan, described, result);
     return true;
   } catch (const std::bad_alloc&) {
     result.lines.clear();

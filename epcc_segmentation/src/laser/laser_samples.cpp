@@ -44,7 +44,7 @@ std::vector<LaserSample> readSamples(const LaserScan& scan, const SensorModel& n
   std::vector<LaserSample> samples;
   samples.reserve(scan.ranges.size());
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    if (!scan.hasReturn(i) || !(scan.ranges[i] > 0.0)) continue;
+    if (!scan.hasReturn(i)) continue;
     const int beam = static_cast<int>(i);
     samples.push_back({beamDirection(scan, beam), scan.ranges[i], noise.sigmaZ(scan.ranges[i]), beam});
   }

@@ -6,7 +6,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <random>
 
 #include "tests/epcc_segmentation/laser/laser_scans.h"
 
@@ -152,9 +154,31 @@ TEST(LaserLineExtractor, ScansWithoutReturnsHaveNoLines) {
   scan.ranges.assign(1, 1.0);
   EXPECT_TRUE(linesOf(scan).lines.empty());
   scan.ranges.assign(360, 1e300);
-  linesOf(scan);
+  EXPECT_TRUE(linesOf(scan).lines.empty());
   scan.ranges.assign(360, 1e-300);
-  linesOf(scan);
+  EXPECT_TRUE(linesOf(scan).lines.empty());
+}
+
+TEST(LaserLineExtractor, RangesThatNoLaserMeasuresAreNoReturns) {
+  LaserScan scan = scanOf(room(-1.0, 1.0, -1.0, 1.0), 360, 0.0, kDegree);
+  const std::size_t lines = linesOf(scan).lines.size();
+  for (std::size_t i = 0; i < scan.ranges.size(); i += 7) scan.ranges[i] = i % 2 == 0 ? 2.2e-308 : 1.7e308;
+  EXPECT_FALSE(scan.hasReturn(0));
+  EXPECT_FALSE(scan.hasReturn(7));
+  EXPECT_EQ(linesOf(scan).lines.size(), lines);
+}
+
+TEST(LaserLineExtractor, LinesOfAnyRangesAreFinite) {
+  std::mt19937_64 random(3);
+  for (int scans = 0; scans < 300; ++scans) {
+    LaserScan scan = scanOf(room(-1.0, 1.0, -1.0, 1.0), 90, 0.0, kDegree);
+    for (double& range : scan.ranges)
+      if (random() % 4 == 0) range = std::pow(10.0, static_cast<double>(random() % 600) - 300.0);
+    for (const LaserLine& line : linesOf(scan).lines) {
+      EXPECT_TRUE(line.start.allFinite() && line.end.allFinite() && line.covariance.allFinite());
+      EXPECT_TRUE(line.rho > 0.0 && line.chi_squared >= 0.0);
+    }
+  }
 }
 
 TEST(LaserLineExtractor, SaysWhatCannotBeUsed) {
