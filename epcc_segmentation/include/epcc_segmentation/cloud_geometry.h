@@ -66,7 +66,8 @@ struct CloudGeometry {
   double unit = 1.0;                                ///< metres per unit of the coordinates
   bool unit_is_guessed = false;                     ///< nobody said that it is not the metre
   ScanGrid grid;                                    ///< of a scanner
-  /// How far the points are off the rays of their pixels: the 80 % quantile, in deviations of all rays.
+  /// How far the points are off the rays of their pixels: the 80 % quantile, in deviations of all rays. Infinite of a
+  /// cloud with too few points to tell.
   double residual = 0.0;
   std::vector<Vector3f> invalid_points;                        ///< what stands for no point, in units of the cloud
   double min_depth = 0.0;                                      ///< nearer points are invalid, metres

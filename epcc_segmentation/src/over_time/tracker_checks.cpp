@@ -10,6 +10,7 @@ namespace epcc {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;
+constexpr double kFarthestCamera = 1e9;  // metres: beyond, nothing of a frame is left in the map's digits
 
 std::string sigmaProblem(const char* name, double value, double largest, const char* unit) {
   if (value > 0.0 && value <= largest) return {};
@@ -24,6 +25,8 @@ std::string countProblem(const char* name, int value) {
 std::string poseProblem(const Isometry3& pose) {
   const Eigen::Isometry3d camera(pose);
   if (!camera.matrix().allFinite()) return "the pose holds a number that is not finite";
+  if (camera.translation().cwiseAbs().maxCoeff() > kFarthestCamera)
+    return "the pose is more than a million kilometres from the origin of the map";
   const Eigen::Matrix3d turn = camera.linear();
   const double deviation = (turn * turn.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (deviation > kRotationTolerance || turn.determinant() < 0.0) return "the pose has no rotation";

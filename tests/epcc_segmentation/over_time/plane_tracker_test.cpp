@@ -221,6 +221,10 @@ TEST(PlaneTracker, NonsenseIsRefusedAndTheNextFrameIsTaken) {
   pose(0, 0) = 2.0;
   EXPECT_FALSE(tracker.track(room.frame(), pose, 0.0, tracked));
   EXPECT_EQ(tracker.error(), "the pose has no rotation");
+  pose = Isometry3::Identity();
+  pose(0, 3) = 7e247;
+  EXPECT_FALSE(tracker.track(room.frame(), pose, 0.0, tracked));
+  EXPECT_EQ(tracker.error(), "the pose is more than a million kilometres from the origin of the map");
   EXPECT_FALSE(tracker.track(room.frame(), std::nullopt, std::numeric_limits<double>::infinity(), tracked));
   EXPECT_EQ(tracker.error(), "the time is not finite");
   EXPECT_FALSE(tracker.track(DepthFrame::fromDepth(static_cast<const float*>(nullptr), test::testCamera()),
