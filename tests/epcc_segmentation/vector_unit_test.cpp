@@ -78,6 +78,24 @@ TEST(VectorUnit, DepthsAreReadAlikeAndNoneBeyondTheEndIsTouched) {
   });
 }
 
+// S1 counts samples by their weights: one that is none would be looked for before the beginning of the scan line.
+TEST(VectorUnit, WeightsArePositiveAndFiniteWhateverTheNoise) {
+  const std::vector<float> w = {1e-42f, 1e-38f, 1e-20f, 0.5f, 1e19f, 1e20f, 3e38f, 0.0f};
+  epcc::InverseDepthNoise absurd_rays, no_place, no_error;
+  absurd_rays.place2 = 1e100;
+  no_place.a2 = 1e-6;
+  no_error.b2 = 1e-30;
+  onEveryVectorUnit([&] {
+    for (const epcc::InverseDepthNoise& noise : {absurd_rays, no_place, no_error})
+      for (const float scale : {1.0f, 1e-30f, 0.0f}) {
+        std::vector<float> weight(w.size());
+        epcc::weighInverseDepths(w.data(), w.size(), noise, scale, weight.data());
+        for (std::size_t i = 0; i < w.size(); ++i)
+          EXPECT_TRUE(weight[i] > 0.0f && weight[i] <= std::numeric_limits<float>::max()) << w[i] << ' ' << weight[i];
+      }
+  });
+}
+
 TEST(VectorUnit, NoisyRoomsHaveTheSameLabelsAndPlanesOnEach) {
   const epcc::SensorModel sensor = epcc::SensorModel::axial(0.003, 0.002, 1.5);
   epcc::Parameters rows;

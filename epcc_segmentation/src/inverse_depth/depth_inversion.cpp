@@ -48,7 +48,7 @@ void WeighInverseDepths(const float* w, std::size_t count, const InverseDepthNoi
     const float m2 = m * m;
     const float polynomial = k1 + m * (k2 + m * k3);
     const float variance = larger(polynomial * polynomial + (b2 + (a2 * m2) * m2), place2 * m2);
-    weight[i] = smaller(kLargest, larger(std::numeric_limits<float>::min(), scale2 / variance));
+    weight[i] = smaller(kLargest, larger(scale2 / variance, std::numeric_limits<float>::min()));  // least if NaN
   }
 }
 
@@ -90,12 +90,14 @@ void WeighInverseDepths(const float* w, std::size_t count, const InverseDepthNoi
   const NoiseVectors<Floats> noise_vectors(d, *noise);
   const auto scales = hn::Set(d, scale);
   const auto scale2 = hn::Set(d, scale * scale);
-  // A float holds the weight of any depth that a sensor gives; of others it stays finite and positive.
+  // A float holds the weight of any depth that a sensor gives; of others, whose variance may be no number, it stays
+  // finite and positive.
   const auto least = hn::Set(d, std::numeric_limits<float>::min());
   const auto most = hn::Set(d, std::numeric_limits<float>::max());
   forEachVector(w, count, weight, [&](FloatVector value) HWY_ATTR {
     const auto variance = noise_vectors.variance(hn::Mul(value, scales));
-    return hn::Min(most, hn::Max(least, hn::Div(scale2, variance)));
+    const auto one = hn::Div(scale2, variance);
+    return hn::IfThenElse(hn::Gt(one, least), hn::Min(most, one), least);
   });
 }
 

@@ -246,6 +246,20 @@ TEST(InverseDepthMode, DegenerateFramesHaveNoPlanes) {
   EXPECT_TRUE(extractDefault(DepthFrame::fromDepth(depth.data(), {1, 500, 400.0, 400.0, 0.0, 250.0})).planes.empty());
 }
 
+// Rays so steep that their spread is beyond a float, and points so far off that their weight is 0 times it.
+TEST(InverseDepthMode, CloudsOfAbsurdNumbersAreSegmentedToTheEnd) {
+  constexpr int kWidth = 40, kHeight = 30;
+  for (const auto projection : {epcc::Projection::Perspective, epcc::Projection::Spherical}) {
+    std::vector<float> xyz;
+    for (int i = 0; i < kWidth * kHeight; ++i) {
+      const bool steep = i % 11 == 0;
+      xyz.insert(xyz.end(),
+                 {steep ? 3e38f : 0.0f, steep ? 0.0f : 1e-3f * static_cast<float>(i % kWidth), steep ? 1e-38f : 3e38f});
+    }
+    (void)extractDefault(DepthFrame::fromPoints(xyz.data(), 3, kWidth, kHeight, projection));
+  }
+}
+
 TEST(InverseDepthMode, HugeAndTinyDepthsHideNoPlane) {
   auto room = roomWithWhiteNoise();
   for (std::size_t i = 0; i < room.depth.size(); i += 7) room.depth[i] = i % 2 == 0 ? 3e38f : 1e-38f;
