@@ -61,12 +61,14 @@ class Tracker {
     const std::optional<Isometry3> pose = poseOf(pose_matrix);
     auto tracked = std::make_unique<Tracked>();
     std::string error;
+    Status status = Status::Ok;
     tracker_.run([&](PlaneTracker& tracker) {
       if (!tracker.track(frame.frame, pose, time, tracked->data)) error = tracker.error();
+      status = tracker.status();
       tracked->segmentation.reset(
           new Segmentation{std::move(tracked->data.segmentation), tracker.sensor(), tracker.times(), frame.geometry});
     });
-    throwProblem(Status::InvalidParameters, error);
+    throwProblem(status, error);
     return tracked;
   }
 

@@ -155,7 +155,7 @@ bool isComplete(const KnownView& view, std::size_t planes) {
 }  // namespace
 
 bool PlaneExtractor::extract(const DepthFrame& frame, const KnownPlanes& known, PlaneSegmentation& result,
-                             Continuation& continuation) {
+                             Continuation& continuation) try {
   const bool can_continue = parameters_.mode == Mode::InverseDepth && frame.geometry() == nullptr &&
                             !frame.isTransposed() && isPerspective(frame.projection()) &&
                             std::all_of(known.views.begin(), known.views.end(), [&known](const KnownView& view) {
@@ -169,6 +169,8 @@ bool PlaneExtractor::extract(const DepthFrame& frame, const KnownPlanes& known, 
   known_ = nullptr;
   continuation.continues.resize(result.planes.size(), -1);
   return done;
+} catch (const std::bad_alloc&) {
+  return fail(Status::OutOfMemory, "out of memory", result);
 }
 
 void PlaneExtractor::extractInSensorFrame(const DepthFrame& frame, PlaneSegmentation& result) {

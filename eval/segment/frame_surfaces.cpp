@@ -2,6 +2,8 @@
 // The only file of the programs that knows whether polygons and meshes can be made.
 #include "eval/segment/frame_surfaces.h"
 
+#include <new>
+
 namespace epcc {
 
 #ifdef EPCC_WITH_GEOS
@@ -14,6 +16,7 @@ FrameSurfaces frameSurfaces(const DepthFrame& frame, const SensorModel& sensor, 
   FrameSurfaces surfaces;
   surfaces.polygons = surfacePolygons(frame, sensor, result);
   if (with_mesh) surfaces.mesh = surfaceMesh(surfaces.polygons.surfaces);
+  if (surfaces.mesh.status == Status::OutOfMemory) throw std::bad_alloc();
   return surfaces;
 }
 #else

@@ -83,7 +83,9 @@ bool writeMapMesh(const std::string& path, const std::vector<MappedTrack>& track
       colors.resize(static_cast<std::size_t>(one.track.label));
     colors[static_cast<std::size_t>(one.track.label) - 1] = labelColor(one.track.label);
   }
-  writeMesh(path, surfaceMesh(surfaces), colors);
+  const SurfaceMesh mesh = surfaceMesh(surfaces);
+  if (mesh.status == Status::OutOfMemory) throw std::bad_alloc();
+  writeMesh(path, mesh, colors);
   return true;
 #else
   static_cast<void>(path);

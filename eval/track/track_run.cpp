@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <ostream>
 #include <set>
 
@@ -56,8 +57,9 @@ class TrackRun {
     start = Clock::now();
     std::optional<Isometry3> told;
     if (read.pose && (!options_.pose_free || result.names.empty())) told = Isometry3(*read.pose);
-    if (!tracker_->track(frameView(read.frame), told, read.time, tracked_))
-      throw InputError(read.frame.name, "frame", tracker_->error());
+    const bool done = tracker_->track(frameView(read.frame), told, read.time, tracked_);
+    if (tracker_->status() == Status::OutOfMemory) throw std::bad_alloc();  // the map may be lost
+    if (!done) throw InputError(read.frame.name, "frame", tracker_->error());
     const double track_ms = lapMs(start);
     if (!isSomewhere(tracked_.pose.camera_to_map))
       throw LostCamera(read.frame.name, "pose",

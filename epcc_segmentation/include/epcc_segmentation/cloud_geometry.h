@@ -56,8 +56,9 @@ struct ScanGrid {
 
 /// What was found out about a cloud.
 struct CloudGeometry {
-  Status status = Status::EmptyCloud;  ///< UnknownGeometry: neither a camera nor a scanner sees the points so
-  std::string problem;                 ///< the same in words; empty if nothing is wrong
+  /// UnknownGeometry: neither a camera nor a scanner sees the points so; OutOfMemory: nothing was found out.
+  Status status = Status::EmptyCloud;
+  std::string problem;  ///< the same in words; empty if nothing is wrong
   /// The frame and order of pixels of the cloud are those that DepthFrame expects of the projection, its unit is the
   /// metre, and what is invalid is seen from each point: nothing need be converted.
   bool is_plain = true;
@@ -88,7 +89,7 @@ class EPCC_CORE_EXPORT GeometryFinder {
   /// x, y, z at `xyz + stride * (row * width + column)`, stride in floats. A few hundred points are looked at: a camera
   /// is known by the 3x4 matrix that takes points to their pixels, a scanner by the tables of azimuth and elevation,
   /// both in any frame and with rows and columns exchanged. A cloud with too few points counts as a camera's. The
-  /// result is the finder's until the next call.
+  /// result is the finder's until the next call. Nothing is thrown, but std::bad_alloc by a finder that was moved away.
   const CloudGeometry& find(const float* xyz, std::size_t stride, int width, int height,
                             const CloudOptions& options = CloudOptions());
 

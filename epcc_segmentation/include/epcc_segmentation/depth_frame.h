@@ -67,28 +67,28 @@ class EPCC_CORE_EXPORT DepthFrame {
   DepthFrame closedRound() const;
 
   /// Columns of this view; 0 if it is empty.
-  int width() const { return width_; }
+  int width() const noexcept { return width_; }
   /// Rows of this view; 0 if it is empty.
-  int height() const { return height_; }
+  int height() const noexcept { return height_; }
   /// Whether the view cannot be used.
-  bool empty() const { return width_ <= 0 || height_ <= 0; }
+  bool empty() const noexcept { return width_ <= 0 || height_ <= 0; }
   /// Ok, or why the view is empty.
-  Status status() const { return status_; }
+  Status status() const noexcept { return status_; }
   /// The same in words; empty if there is nothing wrong.
   std::string problem() const { return problem_; }
   /// How its pixels see the world; of a cloud with a geometry() how its sensor does.
-  Projection projection() const { return projection_; }
+  Projection projection() const noexcept { return projection_; }
   /// Whether it is a depth image with a camera, and not a cloud.
-  bool isPinhole() const { return depth_ != nullptr; }
+  bool isPinhole() const noexcept { return depth_ != nullptr; }
   /// Whether rows and columns are exchanged, see transposed().
-  bool isTransposed() const { return transposed_; }
+  bool isTransposed() const noexcept { return transposed_; }
   /// Whether the last column adjoins the first, see closedRound().
-  bool closesRound() const { return closes_round_; }
+  bool closesRound() const noexcept { return closes_round_; }
   /// How a cloud is turned into the sensor's frame before it is segmented; null if it is in it.
-  const CloudGeometry* geometry() const { return geometry_; }
+  const CloudGeometry* geometry() const noexcept { return geometry_; }
 
   /// Index of the pixel in row-major arrays of width x height (labels, masks, points), also from a transposed view.
-  std::size_t index(int row, int column) const {
+  std::size_t index(int row, int column) const noexcept {
     return static_cast<std::size_t>(row) * row_stride_ + static_cast<std::size_t>(column) * column_stride_;
   }
 
@@ -113,11 +113,11 @@ class EPCC_CORE_EXPORT DepthFrame {
   /// null.
   DepthView<std::uint16_t> wholeNumbers() const;
   /// Of a cloud: x, y, z of pixel i at points() + pointStride() * i with i = index(); null of a depth image.
-  const float* points() const { return xyz_; }
+  const float* points() const noexcept { return xyz_; }
   /// Of a cloud: floats from a point to the next.
-  std::size_t pointStride() const { return point_stride_; }
+  std::size_t pointStride() const noexcept { return point_stride_; }
   /// What masked() was given, 0 at pixels that count as invalid; null if there is none.
-  const std::uint8_t* mask() const { return mask_; }
+  const std::uint8_t* mask() const noexcept { return mask_; }
   /// The measured value of a point of the scan frame: z, or the range.
   double measuredDepth(const Eigen::Vector3d& scan_point) const {
     return isPerspective(projection_) ? scan_point.z() : scan_point.norm();

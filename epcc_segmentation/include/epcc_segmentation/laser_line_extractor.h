@@ -55,9 +55,9 @@ class EPCC_CORE_EXPORT LaserLineExtractor {
   bool extract(const LaserScan& scan, LaserLines& result);
 
   /// How the last extract() ended: Status::InvalidParameters for parameters and noise model.
-  Status status() const { return status_; }
+  Status status() const noexcept { return status_; }
   /// What was wrong, in words; empty if nothing was.
-  const std::string& error() const { return error_; }
+  const std::string& error() const noexcept { return error_; }
 
  private:
   bool fail(Status status, std::string error);

@@ -27,7 +27,7 @@ struct StageTimes {
   double regions = 0.0;  ///< join, merge, refine, reject (S3 to S8, inverse-depth mode)
   double result = 0.0;   ///< labels, least-squares planes, line segments if asked for
   /// The sum of all stages, seconds.
-  double total() const { return read + sensor + lines + planes + regions + result; }
+  double total() const noexcept { return read + sensor + lines + planes + regions + result; }
 };
 
 /// Segments frames into planes. Keeps its memory from frame to frame, also when parameters or sensor change; not for
@@ -53,7 +53,8 @@ class EPCC_CORE_EXPORT PlaneExtractor {
   /// (InverseDepthParameters::adapt_sensor). What is out of range shows in extract().
   void setSensor(const SensorModel& sensor);
   /// The sensor model is measured on the frames and settles over a stream of them; then each measures a quarter of the
-  /// blocks (SensorEstimator). Starts afresh.
+  /// blocks (SensorEstimator). So do the covariances, in which its slow bending is: of one frame, segmented twice, they
+  /// may differ. Starts afresh.
   void setSensorAuto();
 
   /// Segments one frame. Returns true on success; otherwise the result has no planes (all labels 0, or no labels if
@@ -69,18 +70,18 @@ class EPCC_CORE_EXPORT PlaneExtractor {
                Continuation& continuation);
 
   /// How the last extract() ended.
-  Status status() const { return status_; }
+  Status status() const noexcept { return status_; }
   /// What was wrong, in words; empty if nothing was.
-  const std::string& error() const { return error_; }
+  const std::string& error() const noexcept { return error_; }
   /// How long the last extract() took, stage by stage.
-  const StageTimes& times() const { return times_; }
+  const StageTimes& times() const noexcept { return times_; }
   /// The parameters that were set.
   const Parameters& parameters() const { return parameters_; }
   /// The model that the last frame was segmented with: measured, or the given one as S0 adapted it
   /// (InverseDepthParameters::adapt_sensor). Before the first frame what was given.
-  const SensorModel& sensor() const { return sensor_; }
+  const SensorModel& sensor() const noexcept { return sensor_; }
   /// Whether the sensor is measured on the frames: no model was given.
-  bool measuresSensor() const { return measures_sensor_; }
+  bool measuresSensor() const noexcept { return measures_sensor_; }
 
  private:
   struct Workspace;

@@ -11,6 +11,7 @@
 #include "epcc_segmentation/export.h"
 #include "epcc_segmentation/known_planes.h"
 #include "epcc_segmentation/plane_extractor.h"
+#include "epcc_segmentation/status.h"
 
 namespace epcc {
 
@@ -71,7 +72,8 @@ struct PlaneTrack {
 struct TrackedFrame {
   /// The segmentation of this frame alone: its own planes, in the camera's frame.
   PlaneSegmentation segmentation;
-  /// Lasting label of each of its planes, 0 if it has none yet.
+  /// Lasting label of each of its planes, 0 if it has none yet. Two planes have the same one where the frame shows
+  /// pieces of one surface, or where it is the frame that their tracks were merged in.
   std::vector<std::int32_t> label_of_plane;
   /// Row-major, lasting labels; 0 none.
   std::vector<std::int32_t> labels;
@@ -105,20 +107,24 @@ class EPCC_CORE_EXPORT PlaneTracker {
   /// Takes the next frame, with the camera's pose, camera to map, if it is known, and its time in seconds. Without
   /// poses the first camera is the map's frame, and the camera is expected to go on as it did. Returns false, and
   /// error() says why, if the frame cannot be used, the pose is no rotation with a translation, or a parameter is out
-  /// of range: then it is as if the frame had not been there, and the result is of no use.
+  /// of range: then it is as if the frame had not been there, and the result is of no use. So it is if memory runs out
+  /// in the segmentation. If it does while the frame becomes part of the map, the map is forgotten, and labels begin
+  /// anew with the next frame. Nothing is thrown.
   bool track(const DepthFrame& frame, const std::optional<Isometry3>& camera_to_map, double time, TrackedFrame& result);
 
   /// All tracks that had a label, in the order of their labels, ended ones included. Those out of sight go on.
   std::vector<PlaneTrack> tracks() const;
+  /// How the last track() ended; Ok before the first.
+  Status status() const noexcept;
   /// What was wrong with the last frame, in words; empty if nothing was.
-  const std::string& error() const;
+  const std::string& error() const noexcept;
   /// How long the segmentation of the last frame took, stage by stage. What known planes take is part of `lines`.
-  const StageTimes& times() const;
+  const StageTimes& times() const noexcept;
   /// Of the last frame: as it was given, or as it is measured.
-  const SensorModel& sensor() const;
+  const SensorModel& sensor() const noexcept;
   /// How many times the covariance of a frame's planes their error has been so far, at least 1. It is taken into
   /// account.
-  double errorScale() const;
+  double errorScale() const noexcept;
 
  private:
   struct State;

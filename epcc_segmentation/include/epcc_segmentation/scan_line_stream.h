@@ -148,23 +148,23 @@ class EPCC_CORE_EXPORT ScanLineStream {
   void openPlanes(std::vector<StreamPlane>& planes) const;
 
   /// How the last scan line, or finish(), ended.
-  Status status() const;
+  Status status() const noexcept;
   /// What was wrong, in words; empty if nothing was.
-  const std::string& error() const;
+  const std::string& error() const noexcept;
 
   /// Scan lines taken since the beginning or reset().
-  std::int64_t taken() const;
+  std::int64_t taken() const noexcept;
   /// Scan lines counted as lost: indices that were left out.
-  std::int64_t lost() const;
+  std::int64_t lost() const noexcept;
   /// Scan lines refused as late or repeated.
-  std::int64_t refused() const;
+  std::int64_t refused() const noexcept;
 
   /// The model in use: the given one, or the measured one once it is; before that the generic one.
-  const SensorModel& sensor() const;
+  const SensorModel& sensor() const noexcept;
   /// Whether the scan lines still wait for the sensor to be measured.
-  bool isMeasuring() const;
+  bool isMeasuring() const noexcept;
   /// Flat image blocks that the sensor was measured on; 0: none were found, sensor() is generic.
-  std::size_t measuredBlocks() const;
+  std::size_t measuredBlocks() const noexcept;
 
  private:
   struct State;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <new>
 
 #include "geometry/hypothesis_search.h"
 #include "geometry/scan_grid.h"
@@ -165,8 +166,17 @@ GeometryFinder::~GeometryFinder() = default;
 GeometryFinder::GeometryFinder(GeometryFinder&&) noexcept = default;
 GeometryFinder& GeometryFinder::operator=(GeometryFinder&&) noexcept = default;
 
+namespace {
+
+void setOutOfMemory(CloudGeometry& geometry) {
+  geometry.status = Status::OutOfMemory;
+  geometry.problem = "out of memory";  // short enough to need none
+}
+
+}  // namespace
+
 const CloudGeometry& GeometryFinder::find(const float* xyz, std::size_t stride, int width, int height,
-                                          const CloudOptions& options) {
+                                          const CloudOptions& options) try {
   if (!memory_) memory_ = std::make_unique<Memory>();  // it was moved away
   CloudGeometry& geometry = memory_->geometry;
   geometry.problem = options.validate();
@@ -177,10 +187,20 @@ const CloudGeometry& GeometryFinder::find(const float* xyz, std::size_t stride, 
   if (xyz == nullptr || stride < 3 || width <= 0 || height <= 0) return geometry;
   memory_->choose({xyz, stride, width, height}, options);
   return geometry;
+} catch (const std::bad_alloc&) {
+  if (!memory_) throw;  // there is no place for a geometry
+  memory_->last.reset();
+  setOutOfMemory(memory_->geometry);
+  return memory_->geometry;
 }
 
-CloudGeometry findGeometry(const float* xyz, std::size_t stride, int width, int height, const CloudOptions& options) {
+CloudGeometry findGeometry(const float* xyz, std::size_t stride, int width, int height,
+                           const CloudOptions& options) try {
   return GeometryFinder().find(xyz, stride, width, height, options);
+} catch (const std::bad_alloc&) {
+  CloudGeometry geometry;
+  setOutOfMemory(geometry);
+  return geometry;
 }
 
 }  // namespace epcc

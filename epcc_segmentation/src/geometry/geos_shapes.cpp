@@ -8,14 +8,23 @@
 #include <algorithm>
 #include <memory>
 #include <new>
+#include <string_view>
+#include <vector>
 
 namespace epcc {
 
 struct GeosShapes::Handle {
   GEOSContextHandle_t context;
+  bool ran_out = false;  ///< of memory, within GEOS: what it gave back is nothing for that alone
 };
 
 namespace {
+
+/// GEOS catches what is thrown within it and tells it here.
+void noteError(const char* message, void* ran_out) {
+  if (message != nullptr && std::string_view(message).find("bad_alloc") != std::string_view::npos)
+    *static_cast<bool*>(ran_out) = true;
+}
 
 /// Geometries of one context that end with their scope.
 class Shape {
@@ -40,6 +49,14 @@ class Shape {
   GEOSGeometry* geometry_;
 };
 
+/// For a function that takes them over.
+std::vector<GEOSGeometry*> released(std::vector<Shape>& shapes) {
+  std::vector<GEOSGeometry*> result;
+  result.reserve(shapes.size());
+  for (Shape& shape : shapes) result.push_back(shape.release());
+  return result;
+}
+
 GEOSCoordSequence* sequence(GEOSContextHandle_t context, const FlatRing& ring, bool closes) {
   std::vector<double> numbers;
   numbers.reserve(2 * ring.size() + 2);
@@ -57,19 +74,21 @@ Shape ringShape(GEOSContextHandle_t context, const FlatRing& ring) {
 Shape polygonShape(GEOSContextHandle_t context, const FlatPolygon& polygon) {
   Shape outline = ringShape(context, polygon.outline);
   if (!outline) return {context, nullptr};
-  std::vector<GEOSGeometry*> holes;
+  std::vector<Shape> holes;
   for (const FlatRing& hole : polygon.holes)
-    if (Shape shape = ringShape(context, hole)) holes.push_back(shape.release());
+    if (Shape shape = ringShape(context, hole)) holes.push_back(std::move(shape));
+  std::vector<GEOSGeometry*> given = released(holes);
   return {context,
-          GEOSGeom_createPolygon_r(context, outline.release(), holes.data(), static_cast<unsigned>(holes.size()))};
+          GEOSGeom_createPolygon_r(context, outline.release(), given.data(), static_cast<unsigned>(given.size()))};
 }
 
 Shape multiPolygon(GEOSContextHandle_t context, const std::vector<FlatPolygon>& polygons) {
-  std::vector<GEOSGeometry*> parts;
+  std::vector<Shape> parts;
   for (const FlatPolygon& polygon : polygons)
-    if (Shape shape = polygonShape(context, polygon)) parts.push_back(shape.release());
+    if (Shape shape = polygonShape(context, polygon)) parts.push_back(std::move(shape));
+  std::vector<GEOSGeometry*> given = released(parts);
   return {context,
-          GEOSGeom_createCollection_r(context, GEOS_MULTIPOLYGON, parts.data(), static_cast<unsigned>(parts.size()))};
+          GEOSGeom_createCollection_r(context, GEOS_MULTIPOLYGON, given.data(), static_cast<unsigned>(given.size()))};
 }
 
 /// Of a linear ring: without the point that closes it.
@@ -124,6 +143,13 @@ GeosShapes::GeosShapes() : handle_(new Handle{GEOS_init_r()}) {
     delete handle_;
     throw std::bad_alloc();
   }
+  GEOSContext_setErrorMessageHandler_r(handle_->context, noteError, &handle_->ran_out);
+}
+
+void GeosShapes::throwIfRanOut() const {
+  if (!handle_->ran_out) return;
+  handle_->ran_out = false;
+  throw std::bad_alloc();
 }
 
 GeosShapes::~GeosShapes() {
@@ -134,10 +160,12 @@ GeosShapes::~GeosShapes() {
 std::optional<Vector2> GeosShapes::flaw(const std::vector<FlatPolygon>& polygons) {
   GEOSContextHandle_t context = handle_->context;
   const Shape shape = multiPolygon(context, polygons);
+  throwIfRanOut();
   if (!shape || polygons.empty()) return std::nullopt;
   GEOSGeometry* location = nullptr;
   const char is_valid = GEOSisValidDetail_r(context, shape.get(), 0, nullptr, &location);
   const Shape place(context, location);
+  throwIfRanOut();
   if (is_valid == 1) return std::nullopt;
   double x = 0.0, y = 0.0;
   if (place) {
@@ -151,14 +179,18 @@ std::vector<FlatPolygon> GeosShapes::mended(const std::vector<FlatPolygon>& poly
   GEOSContextHandle_t context = handle_->context;
   std::vector<FlatPolygon> valid;
   const Shape shape = multiPolygon(context, polygons);
+  throwIfRanOut();
   if (!shape) return valid;
   GEOSMakeValidParams* how = GEOSMakeValidParams_create_r(context);
+  throwIfRanOut();
   if (how == nullptr) return valid;
   GEOSMakeValidParams_setMethod_r(context, how, GEOS_MAKE_VALID_STRUCTURE);
   GEOSMakeValidParams_setKeepCollapsed_r(context, how, 0);
   const Shape result(context, GEOSMakeValidWithParams_r(context, shape.get(), how));
   GEOSMakeValidParams_destroy_r(context, how);
+  throwIfRanOut();
   collect(context, result.get(), valid);
+  throwIfRanOut();
   return valid;
 }
 
@@ -169,8 +201,10 @@ FlatRing GeosShapes::hull(const FlatRing& points) {
   GEOSCoordSequence* all = sequence(context, points, false);
   const Shape line(context, all == nullptr ? nullptr : GEOSGeom_createLineString_r(context, all));
   const Shape shape(context, line ? GEOSConvexHull_r(context, line.get()) : nullptr);
+  throwIfRanOut();
   if (!shape || GEOSGeomTypeId_r(context, shape.get()) != GEOS_POLYGON) return ring;
   ring = pointsOf(context, GEOSGetExteriorRing_r(context, shape.get()));
+  throwIfRanOut();
   turn(ring, true);
   return ring;
 }
@@ -180,8 +214,10 @@ std::vector<std::array<Vector2, 3>> GeosShapes::triangles(const FlatPolygon& pol
   std::vector<std::array<Vector2, 3>> all;
   const Shape shape = polygonShape(context, polygon);
   const Shape result(context, shape ? GEOSConstrainedDelaunayTriangulation_r(context, shape.get()) : nullptr);
+  throwIfRanOut();
   std::vector<FlatPolygon> parts;
   collect(context, result.get(), parts);
+  throwIfRanOut();
   for (const FlatPolygon& part : parts)
     if (part.outline.size() == 3) all.push_back({part.outline[0], part.outline[1], part.outline[2]});
   return all;

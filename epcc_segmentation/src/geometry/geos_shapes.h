@@ -42,6 +42,7 @@ class GeosShapes {
 
  private:
   struct Handle;
+  void throwIfRanOut() const;
   Handle* handle_;
 };
 

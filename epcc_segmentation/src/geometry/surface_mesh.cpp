@@ -71,9 +71,9 @@ SurfaceMesh surfaceMesh(const std::vector<SurfacePolygon>& surfaces) {
     MeshBuilder builder(mesh);
     for (const SurfacePolygon& surface : surfaces) builder.add(surface);
   } catch (const std::bad_alloc&) {
+    mesh = SurfaceMesh();
+    mesh.status = Status::OutOfMemory;
   }
-  // What was left half done.
-  mesh.triangles.resize(std::min(mesh.triangles.size(), mesh.labels.size()));
   return mesh;
 }
 

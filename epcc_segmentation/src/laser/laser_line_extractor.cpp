@@ -91,7 +91,7 @@ bool LaserLineExtractor::extract(const LaserScan& scan, LaserLines& result) {
   } catch (const std::bad_alloc&) {
     result.lines.clear();
     result.labels.clear();
-    return fail(Status::OutOfMemory, {});
+    return fail(Status::OutOfMemory, "out of memory");  // short enough to need none
   }
 }
 

@@ -3,6 +3,8 @@
 #include "epcc_segmentation/plane_tracker.h"
 
 #include <algorithm>
+#include <exception>
+#include <new>
 
 #include "over_time/tracker_checks.h"
 #include "over_time/tracker_state.h"
@@ -33,20 +35,37 @@ PlaneTracker& PlaneTracker::operator=(PlaneTracker&&) noexcept = default;
 bool PlaneTracker::track(const DepthFrame& frame, const std::optional<Isometry3>& camera_to_map, double time,
                          TrackedFrame& result) {
   State& s = *state_;
-  s.error = trackerProblem(s.tracker, camera_to_map, time);
-  if (!s.error.empty()) return false;
-  if (!s.segment(frame, camera_to_map, result)) {
-    s.error = s.extractor.error();
+  bool changes_map = false;
+  const auto fail = [&](Status status, const char* what) {
+    if (changes_map) s.forget();
+    s.status = status;
+    s.error = what;
     return false;
+  };
+  try {
+    s.status = Status::InvalidParameters;
+    s.error = trackerProblem(s.tracker, camera_to_map, time);
+    if (!s.error.empty()) return false;
+    if (!s.segment(frame, camera_to_map, result)) {
+      s.status = s.extractor.status();
+      s.error = s.extractor.error();
+      return false;
+    }
+    changes_map = true;
+    s.takePose(result);
+    s.learnErrorScale(result);
+    s.assign(s.seenPlanes(frame, result), time);
+    s.judge();
+    s.label(result);
+    s.remember(result.segmentation);
+    ++s.frame;
+    s.status = Status::Ok;
+    return true;
+  } catch (const std::bad_alloc&) {
+    return fail(Status::OutOfMemory, "out of memory");  // short enough to need none
+  } catch (const std::exception& error) {
+    return fail(Status::Failed, error.what());
   }
-  s.takePose(result);
-  s.learnErrorScale(result);
-  s.assign(s.seenPlanes(frame, result), time);
-  s.judge();
-  s.label(result);
-  s.remember(result.segmentation);
-  ++s.frame;
-  return true;
 }
 
 std::vector<PlaneTrack> PlaneTracker::tracks() const {
@@ -61,19 +80,23 @@ std::vector<PlaneTrack> PlaneTracker::tracks() const {
   return list;
 }
 
-const std::string& PlaneTracker::error() const {
+Status PlaneTracker::status() const noexcept {
+  return state_->status;
+}
+
+const std::string& PlaneTracker::error() const noexcept {
   return state_->error;
 }
 
-const StageTimes& PlaneTracker::times() const {
+const StageTimes& PlaneTracker::times() const noexcept {
   return state_->extractor.times();
 }
 
-const SensorModel& PlaneTracker::sensor() const {
+const SensorModel& PlaneTracker::sensor() const noexcept {
   return state_->extractor.sensor();
 }
 
-double PlaneTracker::errorScale() const {
+double PlaneTracker::errorScale() const noexcept {
   return state_->error_scale;
 }
 

@@ -239,4 +239,14 @@ void PlaneTracker::State::remember(const PlaneSegmentation& segmentation) {
   if (frame + 1 >= tracker.confirm_frames && !shows_enough) keyframe = last;
 }
 
+void PlaneTracker::State::forget() {
+  tracks = MapTracks(tracker);
+  last = keyframe = Keyframe();
+  frame = last_search = 0;
+  error_scale = 1.0;
+  has_pose = false;
+  pose = motion = map_of_given = Eigen::Isometry3d::Identity();
+  known.views.clear();
+}
+
 }  // namespace epcc

@@ -33,10 +33,13 @@ struct PlaneTracker::State {
   void judge();
   void label(TrackedFrame& result) const;
   void remember(const PlaneSegmentation& segmentation);
+  /// Begins anew. Takes no memory.
+  void forget();
 
   TrackerParameters tracker;
   PlaneExtractor extractor;
   MapTracks tracks;
+  Status status = Status::Ok;
   std::string error;
   long frame = 0, last_search = 0, last_look = 0;
   double error_scale = 1.0;

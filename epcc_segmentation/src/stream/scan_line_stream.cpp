@@ -151,35 +151,35 @@ void ScanLineStream::openPlanes(std::vector<StreamPlane>& planes) const {
   state_->planes.listOpen(planes);
 }
 
-Status ScanLineStream::status() const {
+Status ScanLineStream::status() const noexcept {
   return state_->status;
 }
 
-const std::string& ScanLineStream::error() const {
+const std::string& ScanLineStream::error() const noexcept {
   return state_->error;
 }
 
-std::int64_t ScanLineStream::taken() const {
+std::int64_t ScanLineStream::taken() const noexcept {
   return state_->taken;
 }
 
-std::int64_t ScanLineStream::lost() const {
+std::int64_t ScanLineStream::lost() const noexcept {
   return state_->lost;
 }
 
-std::int64_t ScanLineStream::refused() const {
+std::int64_t ScanLineStream::refused() const noexcept {
   return state_->refused;
 }
 
-const SensorModel& ScanLineStream::sensor() const {
+const SensorModel& ScanLineStream::sensor() const noexcept {
   return state_->sensor;
 }
 
-bool ScanLineStream::isMeasuring() const {
+bool ScanLineStream::isMeasuring() const noexcept {
   return state_->is_measuring;
 }
 
-std::size_t ScanLineStream::measuredBlocks() const {
+std::size_t ScanLineStream::measuredBlocks() const noexcept {
   return state_->measured_blocks;
 }
 

@@ -276,12 +276,12 @@ class EPCC_CORE_EXPORT EPCCSegmentation : public pcl::PCLBase<PointT> {
   void extract(std::vector<pcl::PointIndices>& clusters);
 
   /// How the last call ended; Status::NoInput before the first.
-  Status getStatus() const { return status_; }
+  Status getStatus() const noexcept { return status_; }
   /// What was wrong, in words; empty if nothing was.
-  const std::string& getErrorMessage() const { return error_; }
+  const std::string& getErrorMessage() const noexcept { return error_; }
 
   /// Labels and planes of the last call in the core's types, in double and with covariances.
-  const PlaneSegmentation& getSegmentation() const { return segmentation_; }
+  const PlaneSegmentation& getSegmentation() const noexcept { return segmentation_; }
 
  protected:
   using pcl::PCLBase<PointT>::input_;
