@@ -7,7 +7,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache git ca-certificates python3
   libeigen3-dev libhwy-dev libgeos-dev libpcl-dev libpng-dev zlib1g-dev liblzf-dev
-  nlohmann-json3-dev libcli11-dev libgtest-dev libbenchmark-dev
+  nlohmann-json3-dev libcli11-dev libgtest-dev librapidcheck-dev libbenchmark-dev
   python3-h5py python3-png # scripts/convert_nyu.py, with its test
   pybind11-dev python3-dev python3-numpy # the Python module
   python3-pytest python3-pip python3-setuptools python3-wheel # its tests, and the wheel
