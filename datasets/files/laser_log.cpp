@@ -21,6 +21,7 @@ void LaserLog::addProblem(const std::string& problem) {
 }
 
 LaserLog readLaserLog(const std::string& path) {
+  const std::uintmax_t size = inputFileSize(path);
   TextLines lines(path);
   std::string_view line;
   bool table = false;
@@ -30,6 +31,7 @@ LaserLog readLaserLog(const std::string& path) {
     break;
   }
   LaserLog log = table ? readScanTable(path) : readCarmenLog(path);
+  if (log.problems.empty()) requireNotCutOff(path, size);  // nor before its reader opened it
   if (log.records.empty())
     throw log.problems.empty()
         ? InputError(path, "scans", "there are none; neither a CARMEN log with laser messages nor a table of scans")

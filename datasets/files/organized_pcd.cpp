@@ -140,6 +140,7 @@ void readAscii(const std::string& path, const PcdHeader& header, const std::vect
     for (std::size_t i = 0; i < wanted.size(); ++i) store(cloud, point, i, row[first_element[i]]);
   }
   if (nextRow(in, line)) throw InputError(path, "DATA", "has more rows than WIDTH x HEIGHT points");
+  requireNotCutOff(path, header.file_size);
 }
 
 // ---- binary ----

@@ -153,8 +153,8 @@ PcdData readDataKind(const std::string& path, const Lines& lines) {
 }
 
 /// The payload must be able to hold the points the header promises.
-void checkPayload(const std::string& path, const PcdHeader& header, std::uintmax_t file_size) {
-  const std::uintmax_t payload = file_size - header.data_offset;
+void checkPayload(const std::string& path, const PcdHeader& header) {
+  const std::uintmax_t payload = header.file_size - header.data_offset;
   const std::uintmax_t points = header.points();
   if (header.data == PcdData::Binary && payload < points * static_cast<std::uintmax_t>(header.point_size))
     throw InputError(path, "DATA", "is shorter than WIDTH x HEIGHT points");
@@ -183,8 +183,8 @@ const PcdField* PcdHeader::field(const std::string& name) const {
 }
 
 PcdHeader readPcdHeader(const std::string& path) {
-  const std::uintmax_t file_size = inputFileSize(path);
   PcdHeader header;
+  header.file_size = inputFileSize(path);
   const Lines lines = splitHeader(path, header.data_offset);
   header.data = readDataKind(path, lines);
   readViewpoint(lines, header.viewpoint);
@@ -200,7 +200,7 @@ PcdHeader readPcdHeader(const std::string& path) {
   if (lines.count("POINTS") != 0 &&
       singleNumber(path, lines, "POINTS", 0, kMaxPixels) != static_cast<long>(header.points()))
     throw InputError(path, "POINTS", "is not WIDTH x HEIGHT");
-  checkPayload(path, header, file_size);
+  checkPayload(path, header);
   return header;
 }
 

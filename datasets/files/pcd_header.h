@@ -28,6 +28,7 @@ struct PcdHeader {
   /// Where the sensor was and how it was turned: x, y, z and the quaternion w, x, y, z.
   std::array<double, 7> viewpoint{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
   std::uintmax_t data_offset = 0;  ///< where the payload starts
+  std::uintmax_t file_size = 0;    ///< bytes, before anything was read
 
   std::size_t points() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   /// The field, or nullptr.

@@ -141,8 +141,9 @@ void writeImage(const std::string& path, const Image<T>& image, int bit_depth, i
     Writer writer(file.get());
     if (writer.info == nullptr) throw OutputError(path, "PNG", "out of memory");
     if (!writePixels(writer, image.width, image.height, bit_depth, color_type, rows.data()))
-      throw OutputError(path, "PNG", writer.message);
-    if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0)
+      throw OutputError(path, "PNG", std::ferror(file.get()) != 0 ? std::strerror(errno) : writer.message);
+    // Some file systems tell of a full disk when the file is closed.
+    if (std::ferror(file.get()) != 0 || std::fclose(file.release()) != 0)
       throw OutputError(path, "file", std::strerror(errno));
   });
 }

@@ -29,7 +29,7 @@ struct TextLines::File {
 };
 
 TextLines::TextLines(const std::string& path) : file_(new File), path_(path), block_(kBlock) {
-  inputFileSize(path);
+  size_ = inputFileSize(path);
   file_->handle = gzopen(path.c_str(), "rb");
   if (file_->handle == nullptr) throw InputError(path, "file", "cannot be opened");
 }
@@ -46,6 +46,7 @@ bool TextLines::fill() {
                      code == Z_BUF_ERROR
                          ? "the packed file ends too early"
                          : "cannot be read, " + std::string(code == Z_ERRNO ? "the file fails" : words));
+  if (count == 0) requireNotCutOff(path_, size_);
   at_ = 0;
   end_ = static_cast<std::size_t>(count);
   return count > 0;

@@ -2,6 +2,7 @@
 // The lines of a text file, packed by gzip or not.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -21,8 +22,8 @@ class TextLines {
   TextLines(const TextLines&) = delete;
   TextLines& operator=(const TextLines&) = delete;
 
-  /// The next line without its end, false behind the last. InputError if the file cannot be read or unpacked, or the
-  /// line is too long. The line is good until the next call.
+  /// The next line without its end, false behind the last. InputError if the file cannot be read or unpacked, was
+  /// cut off meanwhile, or the line is too long. The line is good until the next call.
   bool next(std::string_view& line);
   /// Of the last line, from 1.
   long number() const { return number_; }
@@ -33,6 +34,7 @@ class TextLines {
   struct File;
   std::unique_ptr<File> file_;
   std::string path_;
+  std::uintmax_t size_ = 0;
   std::string line_;
   std::vector<char> block_;
   std::size_t at_ = 0, end_ = 0;

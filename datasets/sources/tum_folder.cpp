@@ -40,7 +40,8 @@ bool isDepthEntry(const std::string& word) {
 
 /// The depth images that a list names, in its order: one word of each line is depth/SOMETHING.png.
 std::vector<std::string> listedDepthFiles(const std::string& path) {
-  if (inputFileSize(path) > kMaxListBytes) throw InputError(path, "file", "is larger than 256 MiB");
+  const std::uintmax_t size = inputFileSize(path);
+  if (size > kMaxListBytes) throw InputError(path, "file", "is larger than 256 MiB");
   std::ifstream in(path);
   std::vector<std::string> files;
   std::unordered_set<std::string> seen;
@@ -55,6 +56,7 @@ std::vector<std::string> listedDepthFiles(const std::string& path) {
       throw InputError(path, "line " + std::to_string(number), "names no file depth/SOMETHING.png");
     if (seen.insert(*depth).second) files.push_back(*depth);
   }
+  requireNotCutOff(path, size);
   if (files.empty()) throw InputError(path, "file", "names no depth image");
   return files;
 }

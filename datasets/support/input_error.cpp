@@ -67,6 +67,12 @@ std::uintmax_t inputFileSize(const std::string& path) {
   return size;
 }
 
+void requireNotCutOff(const std::string& path, std::uintmax_t size) {
+  std::error_code code;
+  const std::uintmax_t now = std::filesystem::file_size(path, code);
+  if (!code && now < size) throw InputError(path, "file", "was cut off while it was read");
+}
+
 InputError::InputError(const std::string& file, const std::string& field, const std::string& what)
     : std::runtime_error(line(file, field, what)), file_(file), field_(field) {}
 

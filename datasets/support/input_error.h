@@ -28,11 +28,16 @@ class InputError : public std::runtime_error {
 
 /// Size of an input file in bytes. InputError if there is none, it is a folder, a device or empty.
 std::uintmax_t inputFileSize(const std::string& path);
+/// For the end of a text that was `size` bytes long when it was opened: InputError if it was cut off meanwhile, which
+/// no number that it ends with tells.
+void requireNotCutOff(const std::string& path, std::uintmax_t size);
 
 /// A file that cannot be written. what() is "FILE: FIELD: WHAT", always a single line.
 class OutputError : public std::runtime_error {
  public:
   OutputError(const std::string& file, const std::string& field, const std::string& what);
+  /// The what() of another process's.
+  explicit OutputError(const std::string& line) : std::runtime_error(line) {}
 };
 
 }  // namespace epcc
