@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <new>
 
 #include "baselines/quiet_pcl.h"
 #include "epcc_segmentation/plane_fit.h"
@@ -52,6 +53,8 @@ bool PlaneSegmenter::runGuarded(const SegmenterInput& input, PlaneSegmentation& 
   try {
     const QuietPcl quiet;
     return run(input, result);
+  } catch (const std::bad_alloc&) {
+    return fail("needs more memory than there is");
   } catch (const std::exception& problem) {
     return fail(problem.what());
   }

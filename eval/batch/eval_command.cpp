@@ -105,7 +105,8 @@ void EvalRun::score(const FrameJobs& jobs, const FrameDone& done, ExperimentSumm
     progress.show(++frames, jobs.size());
   };
   progress.show(0, jobs.size());
-  runExperiment(jobs, evalMethods(options_), {options_.noise, options_.jobs, options_.reading}, done, in_order);
+  runExperiment(jobs, evalMethods(options_), {options_.noise, options_.jobs, options_.reading, options_.frame_timeout},
+                done, in_order);
   progress.clear();
   for (const std::string& line : doubtful.lines()) say(line);
 }
@@ -133,12 +134,20 @@ std::optional<ExperimentSummary> EvalRun::runInFolder() {
   FrameJobs jobs = shardJobs();
   if (options_.resume)
     jobs.keepIf([&](const FrameJob& job) { return !loadFrame(options_.out, job.source->dataset(), job.index); });
+  bool lost = false;
   const auto store = [&](const FrameResult& result) {
+    if (result.lost) lost = true;
     writeLabelImages(options_.out, result);
     if (options_.overlays) writeOverlays(options_.out, result);
     storeFrame(options_.out, {result.index, result.file_name, result.records});
   };
-  score(jobs, store, nullptr);
+  try {
+    score(jobs, store, nullptr);
+  } catch (...) {
+    if (options_.frame_timeout > 0.0) folder.removeLeftovers();  // of processes that were ended at their frames
+    throw;
+  }
+  if (lost) folder.removeLeftovers();
   const auto draw = [this](const PicturedFrame& pictured) {
     for (const auto& source : sources_)
       if (source->dataset() == pictured.frame.records.at(0).dataset) drawPictures(pictured, *source);

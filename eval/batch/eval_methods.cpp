@@ -20,6 +20,7 @@ std::vector<Method> evalMethods(const EvalOptions& options) {
       parameters.ransac.seed = static_cast<int>(seed);
       methods.push_back(registeredMethod(name, parameters));
       methods.back().name = names[seed];
+      methods.back().timed = !options.no_times;
     }
   }
   for (const Predictions& p : options.predictions) methods.push_back(importedMethod(p.name, p.folder));

@@ -16,6 +16,7 @@
 #include "eval/batch/eval_methods.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/program/number_range.h"
 #include "eval/program/reading_arguments.h"
 
 namespace epcc {
@@ -95,6 +96,7 @@ void keepPredictions(const EvalOptions& options) {
 }
 
 constexpr int kMaxLag = 10000;
+constexpr double kMinTimeout = 0.001, kMaxTimeout = 1e6;
 
 /// Lags from "5,25,75", each once.
 void setLags(const std::string& list, EvalOptions& options) {
@@ -117,6 +119,8 @@ void refuseScoring(const RawOptions& raw, const EvalOptions& options) {
   require(!options.resume, "--resume" + words);
   require(!options.overlays, "--overlays" + words);
   require(raw.shard == "1/1", "--shard" + words);
+  require(options.frame_timeout == 0.0, "--frame-timeout" + words);
+  require(!options.no_times, "--no-times" + words);
   require(options.jobs == 1, "--jobs" + words + ": frames are taken in their order");
 }
 
@@ -166,6 +170,11 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
   app.add_option("--seeds", options.seeds, "Runs of methods that draw at random, as NAME, NAME-seed1, ... (1)")
       ->type_name("S")
       ->check(CLI::Range(1, 1000));
+  app.add_option("--frame-timeout", options.frame_timeout,
+                 "A frame that takes longer is an error and is given up; J processes then do the frames (none)")
+      ->type_name("SECONDS")
+      ->check(within(kMinTimeout, kMaxTimeout));
+  app.add_flag("--no-times", options.no_times, "Leave times out: the same frames give the same files to the byte");
   app.add_flag("--overlays", options.overlays, "A picture of each frame: depth, truth, every method");
   app.add_option("--pictures", options.pictures,
                  "So many first, worst and best frames of each data set in report.html (2)")

@@ -27,9 +27,11 @@ struct EvalOptions {
   ReadingOptions reading;
   std::string out;  ///< folder; empty: the tables are printed only
   int jobs = 1;
-  Shard shard;          ///< the part of the frames to be done
-  bool resume = false;  ///< go on with the results in `out`
-  int seeds = 1;        ///< runs of each method that draws at random
+  Shard shard;                 ///< the part of the frames to be done
+  bool resume = false;         ///< go on with the results in `out`
+  int seeds = 1;               ///< runs of each method that draws at random
+  double frame_timeout = 0.0;  ///< seconds for a frame; 0: no limit
+  bool no_times = false;       ///< leave the times out of every result
   bool overlays = false;
   int pictures = 2;  ///< in the report: first, worst and best frames of each data set, so many of each
   bool strict = false;

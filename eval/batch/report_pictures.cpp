@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <set>
 #include <tuple>
 
@@ -62,7 +63,7 @@ std::string picturePath(const PicturedFrame& pictured, std::size_t number) {
   return (fs::path(pictured.folder) / "pictures" / pictured.frame.records.at(0).dataset / name).string();
 }
 
-void drawPictures(const PicturedFrame& pictured, const FrameSource& source) {
+void drawPictures(const PicturedFrame& pictured, const FrameSource& source) try {
   const std::string folder = fs::path(picturePath(pictured, 0)).parent_path().string();
   makeOutputFolder(folder);
   LabelledFrame frame;
@@ -85,6 +86,8 @@ void drawPictures(const PicturedFrame& pictured, const FrameSource& source) {
       continue;
     }
   }
+} catch (const std::bad_alloc&) {
+  return;  // there is memory to score the frame, but not to draw it
 }
 
 }  // namespace epcc

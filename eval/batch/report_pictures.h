@@ -50,7 +50,7 @@ class PictureChoice {
 std::string picturePath(const PicturedFrame& pictured, std::size_t number);
 
 /// Draws them from the source and the label images in the frame's folder. A frame or label image that is no longer
-/// there costs its pictures. Throws OutputError.
+/// there, or too large to be drawn, costs its pictures. Throws OutputError.
 void drawPictures(const PicturedFrame& pictured, const FrameSource& source);
 
 }  // namespace epcc

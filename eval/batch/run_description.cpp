@@ -41,6 +41,12 @@ std::string differs(const char* what, const std::string& there, const std::strin
   return there == here ? "" : std::string(what) + " was " + there + ", is " + here;
 }
 
+std::string timeoutText(const RunDescription& run) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g s", run.frame_timeout);
+  return run.frame_timeout > 0.0 ? text : "none";
+}
+
 /// The texts that are not empty, one after the other.
 std::string joinedDifferences(Words texts) {
   texts.erase(std::remove(texts.begin(), texts.end(), ""), texts.end());
@@ -58,6 +64,8 @@ RunDescription describeRun(const EvalOptions& options, const std::vector<std::un
   run.noise = options.noise;
   run.reading = readingText(options.reading);
   run.overlays = options.overlays;
+  run.times = !options.no_times;
+  run.frame_timeout = options.frame_timeout;
   run.pictures = static_cast<std::size_t>(options.pictures);
   run.shard = options.shard;
   for (const auto& source : sources) run.datasets.push_back({source->dataset(), source->size(), namesHash(*source)});
@@ -76,6 +84,8 @@ void writeRunDescription(const std::string& out, const RunDescription& run) {
                {"reading", run.reading},    {"pictures", run.pictures},
                {"shard", run.shard.text()}, {"datasets", Json::array()},
                {"unusable", run.unusable}};
+  if (!run.times) json["times"] = false;
+  if (run.frame_timeout > 0.0) json["frame_timeout"] = run.frame_timeout;
   for (const RunDataset& dataset : run.datasets)
     json["datasets"].push_back(
         {{"name", dataset.name}, {"frames", dataset.frames}, {"names_hash", dataset.names_hash}});
@@ -96,6 +106,8 @@ RunDescription readRunDescription(const std::string& out) {
     run.noise = json.at("noise");
     run.reading = json.value("reading", "");
     run.overlays = json.at("overlays");
+    run.times = json.value("times", true);
+    run.frame_timeout = json.value("frame_timeout", 0.0);
     run.pictures = json.at("pictures");
     const std::optional<Shard> shard = parseShard(json.at("shard"));
     if (!shard) throw InputError(path, "shard", "is not I/N");
@@ -115,12 +127,14 @@ std::string optionDifference(const RunDescription& there, const RunDescription& 
     return run.reading.empty() ? "read without options" : "read with " + run.reading;
   };
   const auto overlays = [](const RunDescription& run) { return std::string(run.overlays ? "on" : "off"); };
-  return joinedDifferences({differs("the version", there.program, here.program),
-                            differs("--methods", list(there.methods), list(here.methods)),
-                            differs("--predictions", list(there.predictions), list(here.predictions)),
-                            differs("--noise", noise(there), noise(here)),
-                            differs("the input", reading(there), reading(here)),
-                            differs("--overlays", overlays(there), overlays(here))});
+  const auto no_times = [](const RunDescription& run) { return std::string(run.times ? "off" : "on"); };
+  return joinedDifferences(
+      {differs("the version", there.program, here.program),
+       differs("--methods", list(there.methods), list(here.methods)),
+       differs("--predictions", list(there.predictions), list(here.predictions)),
+       differs("--noise", noise(there), noise(here)), differs("the input", reading(there), reading(here)),
+       differs("--overlays", overlays(there), overlays(here)), differs("--no-times", no_times(there), no_times(here)),
+       differs("--frame-timeout", timeoutText(there), timeoutText(here))});
 }
 
 std::string datasetDifference(const RunDataset& there, const RunDataset& here) {

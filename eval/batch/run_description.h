@@ -27,7 +27,9 @@ struct RunDescription {
   std::string noise;                     ///< as on the command line
   std::string reading;                   ///< options of the input as on the command line
   bool overlays = false;
-  std::size_t pictures = 0;  ///< of each kind and data set in the report; no result depends on it
+  bool times = true;           ///< results have them
+  double frame_timeout = 0.0;  ///< seconds; 0: no limit
+  std::size_t pictures = 0;    ///< of each kind and data set in the report; no result depends on it
   Shard shard;
   std::vector<RunDataset> datasets;
   std::vector<std::string> unusable;  ///< data sets that could not be opened: why

@@ -8,7 +8,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
@@ -18,11 +20,30 @@ namespace epcc {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The processes of a run with a time limit for frames (timed_experiment.h) hold the lock with it. When it is killed
+/// they are, too, but a moment later.
+constexpr std::chrono::milliseconds kLockPatience(2000), kLockPause(20);
+
+/// File systems without locks are used without.
+bool isTaken(int lock) {
+  const auto end = std::chrono::steady_clock::now() + kLockPatience;
+  while (flock(lock, LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EINTR) continue;
+    if (errno != EWOULDBLOCK) return true;
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(kLockPause);
+  }
+  return true;
+}
+
+}  // namespace
+
 RunFolder::RunFolder(const std::string& out) : out_(out) {
   makeOutputFolder(out);
   lock_ = open((fs::path(out) / ".epcc-lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
-  // File systems without locks are used without.
-  if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  if (lock_ < 0 || isTaken(lock_)) return;
   close(lock_);
   throw OutputError(out, "folder", "another epcc_eval is at work in it");
 }
@@ -46,12 +67,16 @@ std::string RunFolder::begin(const RunDescription& run, bool resume) {
     if (difference.empty()) difference = datasetDifference(before, run);
     if (difference.empty() && before.unusable != run.unusable) difference = "other data sets could not be used";
     if (!difference.empty()) return "--resume: " + out_ + " holds another run: " + difference;
-    removeTemporaries(out_, false);
-    for (const char* folder : {"results", "labels", "overlays", "pictures"})
-      removeTemporaries((fs::path(out_) / folder).string(), true);
+    removeLeftovers();
   }
   writeRunDescription(out_, run);
   return "";
+}
+
+void RunFolder::removeLeftovers() const {
+  removeTemporaries(out_, false);
+  for (const char* folder : {"results", "labels", "overlays", "pictures"})
+    removeTemporaries((fs::path(out_) / folder).string(), true);
 }
 
 }  // namespace epcc

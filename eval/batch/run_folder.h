@@ -21,6 +21,9 @@ class RunFolder {
   /// they are those of another run. Throws InputError for a damaged run.json.
   std::string begin(const RunDescription& run, bool resume);
 
+  /// Removes what processes that were killed have left half written. Nobody may be writing here.
+  void removeLeftovers() const;
+
  private:
   std::string out_;
   int lock_ = -1;

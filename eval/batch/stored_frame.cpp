@@ -2,7 +2,6 @@
 // A frame's records are one JSON file; one that is damaged counts as not done.
 #include "eval/batch/stored_frame.h"
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -11,7 +10,7 @@
 
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/output_folder.h"
-#include "eval/measures/measure_fields.h"
+#include "eval/experiment/record_json.h"
 
 namespace epcc {
 
@@ -21,33 +20,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int kStoredVersion = 1;
-
-Json toJson(const FrameRecord& record) {
-  Json json = {{"method", record.method}};
-  if (!record.error.empty()) {
-    json["error"] = record.error;
-    return json;
-  }
-  for (const auto* fields : {&countFields(), &furtherFields()})
-    for (const MeasureField& field : *fields) json[field.name] = field.value(record.measures);
-  if (record.ms) json["microseconds"] = std::lround(1e3 * *record.ms);
-  if (!record.doubt.empty()) json["doubt"] = record.doubt;
-  return json;
-}
-
-/// Throws nlohmann's exceptions for what toJson() has not written.
-FrameRecord fromJson(const Json& json, const std::string& dataset, const std::string& frame) {
-  FrameRecord record{dataset, frame, json.at("method"), {}, {}, json.value("error", "")};
-  if (!record.error.empty()) return record;
-  for (const auto* fields : {&countFields(), &furtherFields()})
-    for (const MeasureField& field : *fields) field.of(record.measures) = json.at(field.name);
-  // One table gives both pairs of numbers.
-  record.measures.instances.surfaces = record.measures.paper.surfaces;
-  record.measures.instances.clusters = record.measures.paper.clusters;
-  if (json.contains("microseconds")) record.ms = 1e-3 * json.at("microseconds").get<double>();
-  record.doubt = json.value("doubt", "");
-  return record;
-}
 
 }  // namespace
 
@@ -76,7 +48,8 @@ std::optional<StoredFrame> loadFrame(const std::string& out, const std::string& 
     if (json.at("version") != kStoredVersion || json.at("index") != index) return std::nullopt;
     frame.index = index;
     frame.file_name = json.at("file_name");
-    for (const Json& record : json.at("records")) frame.records.push_back(fromJson(record, dataset, json.at("frame")));
+    for (const Json& record : json.at("records"))
+      frame.records.push_back(recordFromJson(record, dataset, json.at("frame")));
     if (frame.records.empty()) return std::nullopt;
     return frame;
   } catch (const Json::exception&) {

@@ -22,18 +22,27 @@ std::string prepared(const fs::path& path) {
   return path.string();
 }
 
+/// What an interrupted attempt at the frame may have left.
+void removeStale(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+}
+
 }  // namespace
 
 void writeLabelImages(const std::string& out, const FrameResult& result) {
-  for (std::size_t m = 0; m < result.segmentations.size(); ++m) {
-    if (!result.records[m].error.empty()) continue;
+  for (std::size_t m = 0; m < result.records.size(); ++m) {
     const fs::path path = fs::path(out) / "labels" / result.records[m].method / (result.file_name + "_labels.png");
-    writeLabelImage(prepared(path), result.segmentations[m]);
+    if (result.records[m].error.empty())
+      writeLabelImage(prepared(path), result.segmentations[m]);
+    else
+      removeStale(path);
   }
 }
 
 void writeOverlays(const std::string& out, const FrameResult& result) {
-  if (result.segmentations.empty()) return;
+  const fs::path path = fs::path(out) / "overlays" / (result.file_name + ".png");
+  if (result.segmentations.empty()) return removeStale(path);
   Mosaic mosaic;
   mosaic.column_captions = {"depth", "truth"};
   mosaic.rows = {{shadeDepth(result.frame.depth), drawOverlay(result.frame.depth, result.frame.labels)}};
@@ -42,7 +51,7 @@ void writeOverlays(const std::string& out, const FrameResult& result) {
     mosaic.column_captions.push_back(result.records[m].method);
     mosaic.rows[0].push_back(done ? drawOverlay(result.frame.depth, result.segmentations[m].labels) : ColorImage());
   }
-  writeRgb(prepared(fs::path(out) / "overlays" / (result.file_name + ".png")), drawMosaic(mosaic));
+  writeRgb(prepared(path), drawMosaic(mosaic));
 }
 
 }  // namespace epcc

@@ -4,18 +4,21 @@
 
 #include <algorithm>
 #include <atomic>
-#include <map>
-#include <mutex>
+#include <new>
 #include <stdexcept>
 
 #include "baselines/imported_labels_segmenter.h"
 #include "datasets/support/input_error.h"
 #include "epcc_segmentation/on_threads.h"
+#include "eval/experiment/in_order.h"
+#include "eval/experiment/timed_experiment.h"
 #include "eval/program/frame_sensor.h"
 
 namespace epcc {
 
 namespace {
+
+constexpr const char* kTooLittleMemory = "needs more memory than there is";
 
 LabelledFrame readScorable(const FrameJob& job) {
   LabelledFrame frame = job.source->read(job.index);
@@ -35,31 +38,14 @@ void runMethod(const Method& method, PlaneSegmenter& segmenter, const FrameSenso
   if (method.timed) record.ms = 1e3 * segmenter.seconds();
 }
 
-std::vector<std::unique_ptr<PlaneSegmenter>> makeAll(const std::vector<Method>& methods) {
-  std::vector<std::unique_ptr<PlaneSegmenter>> segmenters;
-  for (const Method& method : methods) segmenters.push_back(method.make());
-  return segmenters;
+FrameResult emptyResult(const FrameJob& job, const std::vector<Method>& methods) {
+  FrameResult result;
+  result.index = job.index;
+  result.file_name = job.file_name;
+  for (const Method& method : methods)
+    result.records.push_back({job.source->dataset(), job.source->name(job.index), method.name, {}, {}, {}});
+  return result;
 }
-
-/// Hands records on in the order of the jobs, however they come.
-class InOrder {
- public:
-  explicit InOrder(const FrameInOrder& next) : next_(next) {}
-  void add(std::size_t index, std::vector<FrameRecord> records) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    waiting_[index] = std::move(records);
-    for (auto first = waiting_.begin(); first != waiting_.end() && first->first == due_; ++due_) {
-      if (next_) next_(first->second);
-      first = waiting_.erase(first);
-    }
-  }
-
- private:
-  const FrameInOrder& next_;
-  std::mutex mutex_;
-  std::map<std::size_t, std::vector<FrameRecord>> waiting_;
-  std::size_t due_ = 0;
-};
 
 }  // namespace
 
@@ -72,15 +58,23 @@ Method importedMethod(const std::string& name, const std::string& folder) {
   return {name, [name, folder] { return std::make_unique<ImportedLabelsSegmenter>(name, folder); }, false};
 }
 
-FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& methods,
-                          const std::vector<std::unique_ptr<PlaneSegmenter>>& segmenters,
+Segmenters makeSegmenters(const std::vector<Method>& methods) {
+  Segmenters segmenters;
+  for (const Method& method : methods) segmenters.push_back(method.make());
+  return segmenters;
+}
+
+FrameResult failedFrame(const FrameJob& job, const std::vector<Method>& methods, const std::string& error) {
+  FrameResult result = emptyResult(job, methods);
+  result.reading_error = printable(error, 1000);
+  for (FrameRecord& record : result.records) record.error = result.reading_error;
+  return result;
+}
+
+FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& methods, const Segmenters& segmenters,
                           const ExperimentOptions& options) {
-  FrameResult result;
-  result.index = job.index;
-  result.file_name = job.file_name;
-  for (const Method& method : methods)
-    result.records.push_back({job.source->dataset(), job.source->name(job.index), method.name, {}, {}, {}});
   try {
+    FrameResult result = emptyResult(job, methods);
     result.frame = readScorable(job);
     readAs(result.frame, options.reading);
     result.segmentations.resize(methods.size());
@@ -88,30 +82,37 @@ FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& method
         frameSensor(options.noise, result.frame.camera.noise, frameView(result.frame), result.frame.name + ".json");
     for (std::size_t m = 0; m < methods.size(); ++m)
       runMethod(methods[m], *segmenters[m], sensor, job, result.frame, result.segmentations[m], result.records[m]);
+    return result;
+  } catch (const std::bad_alloc&) {
+    return failedFrame(job, methods, kTooLittleMemory);
   } catch (const std::exception& error) {
-    result.reading_error = printable(error.what(), 1000);
-    result.frame = LabelledFrame();
-    result.segmentations.clear();
-    for (FrameRecord& record : result.records) {
-      record.measures = FrameMeasures();
-      record.ms.reset();
-      record.doubt.clear();
-      record.error = result.reading_error;
-    }
+    return failedFrame(job, methods, error.what());
+  }
+}
+
+FrameResult finishFrame(const FrameJob& job, const std::vector<Method>& methods, const Segmenters& segmenters,
+                        const ExperimentOptions& options, const FrameDone& done) {
+  FrameResult result = evaluateFrame(job, methods, segmenters, options);
+  if (!done) return result;
+  try {
+    done(result);
+  } catch (const std::bad_alloc&) {
+    result = failedFrame(job, methods, kTooLittleMemory);
+    done(result);
   }
   return result;
 }
 
 void runExperiment(const FrameJobs& jobs, const std::vector<Method>& methods, const ExperimentOptions& options,
                    const FrameDone& done, const FrameInOrder& in_order) {
+  if (options.frame_timeout > 0.0) return runTimedExperiment(jobs, methods, options, done, in_order);
   InOrder sorter(in_order);
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     try {
-      const auto segmenters = makeAll(methods);
+      const auto segmenters = makeSegmenters(methods);
       for (std::size_t i = next++; i < jobs.size(); i = next++) {
-        FrameResult result = evaluateFrame(jobs[i], methods, segmenters, options);
-        if (done) done(result);
+        FrameResult result = finishFrame(jobs[i], methods, segmenters, options, done);
         sorter.add(i, std::move(result.records));
       }
     } catch (...) {

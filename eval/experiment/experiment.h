@@ -46,21 +46,31 @@ struct FrameResult {
   std::vector<FrameRecord> records;
   std::vector<PlaneSegmentation> segmentations;  ///< empty after a reading error
   std::string reading_error;                     ///< also in each record
+  bool lost = false;  ///< its process was ended, and may have left files half written under temporary names
 };
 
 struct ExperimentOptions {
   std::string noise;  ///< sensor model, as frameSensor() takes it; empty: the frame's "noise", else auto
   int jobs = 1;       ///< threads, at least 1
   ReadingOptions reading = {};
+  double frame_timeout = 0.0;  ///< seconds for a frame, everything included; 0: no limit. See timed_experiment.h
 };
 
-/// Reads a frame and runs every method on it. Errors end up in the records; nothing is thrown.
-FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& methods,
-                          const std::vector<std::unique_ptr<PlaneSegmenter>>& segmenters,
-                          const ExperimentOptions& options);
+using Segmenters = std::vector<std::unique_ptr<PlaneSegmenter>>;
+Segmenters makeSegmenters(const std::vector<Method>& methods);
 
-/// Called as soon as a frame is done, by several threads at once: for writing its files. What it throws ends the run.
+/// Reads a frame and runs every method on it. Errors end up in the records; nothing is thrown.
+FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& methods, const Segmenters& segmenters,
+                          const ExperimentOptions& options);
+/// The frame with an error for every method.
+FrameResult failedFrame(const FrameJob& job, const std::vector<Method>& methods, const std::string& error);
+
+/// Called as soon as a frame is done, by several threads or processes at once: for writing its files. What it throws
+/// ends the run.
 using FrameDone = std::function<void(const FrameResult&)>;
+/// evaluateFrame() and `done`. A frame that there is not enough memory to write is one that could not be read.
+FrameResult finishFrame(const FrameJob& job, const std::vector<Method>& methods, const Segmenters& segmenters,
+                        const ExperimentOptions& options, const FrameDone& done);
 /// Called in the order of the jobs, by one thread at a time.
 using FrameInOrder = std::function<void(const std::vector<FrameRecord>&)>;
 

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
+
+#include "tests/support/temp_folder.h"
+#include "tests/support/tiny_frames.h"
+
 namespace {
 
 using namespace epcc;
@@ -41,6 +46,17 @@ TEST(PictureChoice, ChoiceAmongAllIsAmongThoseOfTheParts) {
     for (const PicturedFrame& pictured : own.chosen()) parts.add(pictured.frame, pictured.folder);
   }
   EXPECT_EQ(texts(parts.chosen()), texts(all.chosen()));
+}
+
+class TooLarge : public test::MemorySource {
+ public:
+  TooLarge() : MemorySource("a", {}) {}
+  LabelledFrame read(std::size_t) const override { throw std::bad_alloc(); }
+};
+
+TEST(DrawPictures, AFrameTooLargeToBeDrawnCostsItsPicturesAlone) {
+  const test::TempFolder out;
+  EXPECT_NO_THROW(drawPictures({frame("a", 0, 1), out.path(), "first"}, TooLarge()));
 }
 
 TEST(PictureChoice, NoneIfNoneAreWanted) {

@@ -175,6 +175,17 @@ TEST(Experiment, WhatWritingThrowsEndsTheRun) {
   }
 }
 
+TEST(Experiment, WithTooLittleMemoryToWriteAFrameItIsAnError) {
+  const Sources sources = oneSource({tinyFrame("f0", 1), tinyFrame("f1", 2)});
+  const auto large = [](const FrameResult& result) {
+    if (result.index == 0 && !result.segmentations.empty()) throw std::bad_alloc();
+  };
+  std::string errors;
+  runExperiment(listJobs(sources), {oracle()}, {}, large,
+                [&](const std::vector<FrameRecord>& records) { errors += records[0].error + ";"; });
+  EXPECT_EQ(errors, "needs more memory than there is;;");
+}
+
 TEST(Experiment, WhatMakingASegmenterThrowsEndsTheRun) {
   const Sources sources = oneSource(std::vector<LabelledFrame>(40, tinyFrame("f", 1)));
   const Method broken = {"broken", []() -> std::unique_ptr<PlaneSegmenter> { throw std::bad_alloc(); }, true};

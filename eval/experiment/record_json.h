@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a method did on a frame as JSON of whole numbers: for files, and from one process to another.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "eval/experiment/experiment.h"
+
+namespace epcc {
+
+/// Without the names of data set and frame. Times are kept in whole microseconds.
+nlohmann::ordered_json toJson(const FrameRecord& record);
+
+/// Throws nlohmann's exceptions for what toJson() has not written.
+FrameRecord recordFromJson(const nlohmann::ordered_json& json, const std::string& dataset, const std::string& frame);
+
+}  // namespace epcc
