@@ -58,17 +58,32 @@ void FuzzFrame::takeReading(FuzzInput& input) {
   cloud_options_.viewpoint = viewpoint;
 }
 
+void FuzzFrame::takeCloudPose(FuzzInput& input) {
+  stride = input.oneIn(4) ? 4 + input.byte() % 5 : 3;
+  finds_geometry_ = finds_geometry_ || kind == Kind::FoundCloud || kind == Kind::FoundScan;
+  if (!finds_geometry_) return;
+  const Eigen::Vector3d axis(input.small(), input.small(), 1.0);
+  const double angle = input.small(), x = input.small(), y = input.small(), z = input.small();
+  cloud_pose_ = Eigen::Translation3d(x, y, z) * Eigen::AngleAxisd(angle, axis.normalized());
+}
+
 FuzzFrame FuzzFrame::take(FuzzInput& input) {
   FuzzFrame frame;
-  frame.kind = static_cast<Kind>(input.byte() % kKinds);
+  const int kind = input.byte() % 32;  // what takes long is rare
+  frame.kind = static_cast<Kind>(kind < kKinds ? kind : kind % 5);
   frame.takeSize(input);
   frame.takeReading(input);
-  frame.stride = input.oneIn(4) ? 4 + input.byte() % 5 : 3;
-  if (frame.kind == Kind::FoundCloud || frame.kind == Kind::FoundScan) {
-    const Eigen::Vector3d axis(input.small(), input.small(), 1.0);
-    const double angle = input.small(), x = input.small(), y = input.small(), z = input.small();
-    frame.cloud_pose_ = Eigen::Translation3d(x, y, z) * Eigen::AngleAxisd(angle, axis.normalized());
-  }
+  frame.takeCloudPose(input);
+  return frame;
+}
+
+FuzzFrame FuzzFrame::takeUnknownCloud(FuzzInput& input) {
+  FuzzFrame frame;
+  frame.kind = static_cast<Kind>(static_cast<int>(Kind::FoundCloud) + input.byte() % 3);
+  frame.finds_geometry_ = true;
+  frame.takeSize(input);
+  frame.takeReading(input);
+  frame.takeCloudPose(input);
   return frame;
 }
 
@@ -117,7 +132,7 @@ void FuzzFrame::store(std::size_t pixel, const Eigen::Vector3d& ray, double dist
   const auto along = static_cast<double>(withError(distance, input));
   Eigen::Vector3d point = along * ray;
   if (kind == Kind::Backward) point = Eigen::Vector3d(point.x(), -point.y(), -point.z());
-  if (kind == Kind::FoundCloud || kind == Kind::FoundScan) point = cloud_pose_ * point;
+  if (finds_geometry_) point = cloud_pose_ * point;
   const bool none = distance == 0.0 && along == 0.0;
   for (int k = 0; k < 3; ++k) p[k] = none ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(point(k));
 }
@@ -137,7 +152,7 @@ void FuzzFrame::fill(const FuzzScene& scene, const Eigen::Isometry3d& camera_to_
       store(pixel, line, scene.distance(camera_to_world.translation(), camera_to_world.linear() * line), input);
     }
   geometry_.reset();
-  if (kind == Kind::FoundCloud || kind == Kind::FoundScan || (kind == Kind::RawCloud && transposed_))
+  if (finds_geometry_)
     geometry_ = std::make_shared<CloudGeometry>(
         findGeometry(values.data(), stride, width, height, has_options_ ? cloud_options_ : CloudOptions()));
 }

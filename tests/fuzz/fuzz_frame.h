@@ -33,9 +33,13 @@ class FuzzFrame {
   static FuzzFrame take(FuzzInput& input);
   /// A camera's depth image, as trackers and streams take it.
   static FuzzFrame takeDepth(FuzzInput& input);
+  /// A cloud whose geometry is to be found, which takes longest.
+  static FuzzFrame takeUnknownCloud(FuzzInput& input);
   /// What is seen from a place, with the bytes that are left as errors.
   void fill(const FuzzScene& scene, const Eigen::Isometry3d& camera_to_world, FuzzInput& input);
 
+  /// Of a cloud whose geometry is found.
+  const CloudGeometry& geometry() const { return *geometry_; }
   /// It lives as long as this.
   DepthFrame view() const;
 
@@ -50,6 +54,7 @@ class FuzzFrame {
  private:
   void takeSize(FuzzInput& input);
   void takeReading(FuzzInput& input);
+  void takeCloudPose(FuzzInput& input);
   Eigen::Vector3d ray(int row, int column) const;
   float withError(double value, FuzzInput& input);
   void store(std::size_t pixel, const Eigen::Vector3d& ray, double distance, FuzzInput& input);
@@ -57,7 +62,7 @@ class FuzzFrame {
   double unit_ = 1.0;   // of the values, metres
   double noise_ = 0.0;  // relative
   std::uint32_t random_ = 1;
-  bool transposed_ = false, closes_round_ = false, has_mask_ = false, has_options_ = false;
+  bool finds_geometry_ = false, transposed_ = false, closes_round_ = false, has_mask_ = false, has_options_ = false;
   std::vector<std::uint8_t> mask_;
   DepthOptions options_;
   CloudOptions cloud_options_;

@@ -13,10 +13,12 @@ namespace epcc::fuzz {
 namespace {
 
 void checkFields(const Parameters& parameters) {
+  static const Parameters defaults;
   for (const ParameterField& field : parameterFields()) {
     const double value = field.get(parameters);
     require(value >= field.low && value <= field.high, "a parameter that was set is in its range");
     require(!field.whole || value == std::floor(value), "a whole number is one");
+    if (value == field.get(defaults)) continue;
     Parameters copy;
     const std::string text = std::string(field.name) + "=" + valueText(field, value);
     require(setParameter(text, copy).empty(), "a value is written as it is read");

@@ -46,16 +46,25 @@ TEST_P(FuzzTargets, SurvivesDamagedSeeds) {
   EXPECT_GT(taken, 0);
 }
 
+const auto nameOf = [](const auto& one) { return one.param.name; };
+
 INSTANTIATE_TEST_SUITE_P(
-    All, FuzzTargets,
+    Readers, FuzzTargets,
     ::testing::Values(NamedTarget{"CameraJson", &kCameraJson, 300}, NamedTarget{"CarmenLog", &kCarmenLog, 300},
                       NamedTarget{"DepthPng", &kDepthPng, 300}, NamedTarget{"LabelPng", &kLabelPng, 300},
                       NamedTarget{"Npy", &kNpy, 300}, NamedTarget{"Parameters", &kParameters, 100},
                       NamedTarget{"Pcd", &kPcd, 300}, NamedTarget{"ScanTable", &kScanTable, 300},
-                      NamedTarget{"Segcomp", &kSegcomp, 300}, NamedTarget{"Trajectory", &kTrajectory, 300},
-                      NamedTarget{"Segment", &kSegment, 20}, NamedTarget{"Stream", &kStream, 40},
-                      NamedTarget{"Tracker", &kTracker, 20}),
-    [](const auto& one) { return one.param.name; });
+                      NamedTarget{"Segcomp", &kSegcomp, 300}, NamedTarget{"Trajectory", &kTrajectory, 300}),
+    nameOf);
+INSTANTIATE_TEST_SUITE_P(Library, FuzzTargets,
+                         ::testing::Values(NamedTarget{"CloudGeometry", &kCloudGeometry, 20},
+                                           NamedTarget{"LaserLines", &kLaserLines, 200},
+                                           NamedTarget{"Segment", &kSegment, 20}, NamedTarget{"Stream", &kStream, 40},
+                                           NamedTarget{"Tracker", &kTracker, 20}),
+                         nameOf);
+#ifdef EPCC_WITH_GEOS
+INSTANTIATE_TEST_SUITE_P(Geometry, FuzzTargets, ::testing::Values(NamedTarget{"Surfaces", &kSurfaces, 20}), nameOf);
+#endif
 
 }  // namespace
 }  // namespace epcc::fuzz

@@ -30,8 +30,11 @@ extern const FuzzTarget kSegcomp;
 extern const FuzzTarget kTrajectory;
 
 // The library.
+extern const FuzzTarget kCloudGeometry;
+extern const FuzzTarget kLaserLines;
 extern const FuzzTarget kSegment;
 extern const FuzzTarget kStream;
+extern const FuzzTarget kSurfaces;
 extern const FuzzTarget kTracker;
 
 }  // namespace epcc::fuzz
