@@ -62,7 +62,7 @@ void FuzzFrame::takeCloudPose(FuzzInput& input) {
   stride = input.oneIn(4) ? 4 + input.byte() % 5 : 3;
   finds_geometry_ = finds_geometry_ || kind == Kind::FoundCloud || kind == Kind::FoundScan;
   if (!finds_geometry_) return;
-  const Eigen::Vector3d axis(input.small(), input.small(), 1.0);
+  const Eigen::Vector3d axis{input.small(), input.small(), 1.0};  // braces: from left to right
   const double angle = input.small(), x = input.small(), y = input.small(), z = input.small();
   cloud_pose_ = Eigen::Translation3d(x, y, z) * Eigen::AngleAxisd(angle, axis.normalized());
 }

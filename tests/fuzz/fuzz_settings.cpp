@@ -56,8 +56,10 @@ std::optional<SensorModel> takeSensor(FuzzInput& input) {
       return std::nullopt;
     case 1:
       return SensorModel::preset(presets[input.byte() % presets.size()]);
-    case 2:
-      return SensorModel::axial(0.001 * input.byte(), 0.001 * input.byte(), input.byte() / 16.0);
+    case 2: {
+      const double a = 0.001 * input.byte(), b = 0.001 * input.byte();
+      return SensorModel::axial(a, b, input.byte() / 16.0);
+    }
     case 3: {
       const double a = input.anyNumber(), b = input.anyNumber();
       return SensorModel::axial(a, b, input.anyNumber());

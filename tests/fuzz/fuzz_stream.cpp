@@ -79,9 +79,11 @@ StreamGeometry takeGeometry(Kind kind, const FuzzFrame& frame, FuzzInput& input)
     case Kind::CameraRows:
       if (input.oneIn(4)) camera.height = 0;
       return StreamGeometry::cameraRows(camera);
-    case Kind::Points:
-      return StreamGeometry::points(input.oneIn(8) ? input.raw<std::int8_t>() : frame.height,
-                                    static_cast<Projection>(input.byte() % 3), input.oneIn(2) ? step : 0.0);
+    case Kind::Points: {
+      const int height = input.oneIn(8) ? input.raw<std::int8_t>() : frame.height;
+      const auto projection = static_cast<Projection>(input.byte() % 3);
+      return StreamGeometry::points(height, projection, input.oneIn(2) ? step : 0.0);
+    }
     default:
       break;
   }

@@ -29,7 +29,7 @@ TrackerParameters takeTracker(FuzzInput& input) {
 }
 
 Eigen::Isometry3d takeStep(FuzzInput& input) {
-  const Eigen::Vector3d axis(input.small(), input.small(), 1.0);
+  const Eigen::Vector3d axis{input.small(), input.small(), 1.0};  // braces: from left to right
   const double angle = input.small() / 16.0, x = input.small(), y = input.small(), z = input.small();
   return Eigen::Translation3d(x / 16.0, y / 16.0, z / 16.0) * Eigen::AngleAxisd(angle, axis.normalized());
 }
@@ -39,7 +39,10 @@ std::optional<Isometry3> givenPose(const Eigen::Isometry3d& truth, FuzzInput& in
   const std::uint8_t kind = input.byte();
   if (kind % 4 == 1) return std::nullopt;
   Isometry3 pose = truth;
-  if (kind % 4 == 2) pose.matrix()(input.byte() % 3, input.byte() % 4) = input.anyNumber();
+  if (kind % 4 == 2) {
+    const int row = input.byte() % 3, column = input.byte() % 4;
+    pose.matrix()(row, column) = input.anyNumber();
+  }
   if (kind % 4 == 3) pose.translation().x() += input.small();
   return pose;
 }
