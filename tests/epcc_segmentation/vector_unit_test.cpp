@@ -40,6 +40,10 @@ TEST(VectorUnit, DepthsAreReadAlikeAndNoneBeyondTheEndIsTouched) {
                               0.3f,
                               1e-42f,
                               3e38f,
+                              1e5f,
+                              100001.0f,
+                              1.01e-6f,
+                              0.99e-6f,
                               std::numeric_limits<float>::infinity(),
                               std::numeric_limits<float>::quiet_NaN()};
   for (int i = 0; i < 40; ++i) depth.push_back(0.1f * static_cast<float>(i));
@@ -58,8 +62,8 @@ TEST(VectorUnit, DepthsAreReadAlikeAndNoneBeyondTheEndIsTouched) {
       epcc::weighInverseDepths(w.data(), count, noise, 0.9f, weight.data());
       epcc::depthsInMetres(units.data(), count, 0.001, metres.data());
       for (std::size_t i = 0; i < count; ++i) {
-        const bool valid = depth[i] > 0.0f && depth[i] <= std::numeric_limits<float>::max() &&
-                           1.0f / depth[i] <= std::numeric_limits<float>::max();
+        const bool valid =
+            depth[i] > 0.0f && depth[i] <= epcc::kFarthestMeasured && 1.0f / depth[i] <= epcc::kLargestInverse;
         EXPECT_EQ(w[i], valid ? 1.0f / depth[i] : 0.0f) << i;
         EXPECT_EQ(metres[i], static_cast<float>(units[i] * 0.001)) << i;
         const double z = static_cast<double>(depth[i]) * 0.3048;

@@ -32,8 +32,9 @@ HWY_INLINE float smaller(float a, float b) {
 /// w = 1/z; that of infinity is 0.
 void InvertDepths(const float* depth, std::size_t count, float* w) {
   for (std::size_t i = 0; i < count; ++i) {
-    const float inverse = 1.0f / (depth[i] > 0.0f ? depth[i] : std::numeric_limits<float>::infinity());
-    w[i] = inverse <= kLargest ? inverse : 0.0f;
+    const bool may_be = (depth[i] > 0.0f) & (depth[i] <= kFarthestMeasured);
+    const float inverse = 1.0f / (may_be ? depth[i] : std::numeric_limits<float>::infinity());
+    w[i] = inverse <= kLargestInverse ? inverse : 0.0f;
   }
 }
 
@@ -76,9 +77,10 @@ void InvertDepths(const float* depth, std::size_t count, float* w) {
   const Floats d;
   const auto one = hn::Set(d, 1.0f);
   const auto zero = hn::Zero(d);
-  const auto largest = hn::Set(d, std::numeric_limits<float>::max());
+  const auto farthest = hn::Set(d, kFarthestMeasured);
+  const auto largest = hn::Set(d, kLargestInverse);
   forEachVector(depth, count, w, [&](FloatVector z) HWY_ATTR {
-    const auto valid = hn::And(hn::Gt(z, zero), hn::Le(z, largest));
+    const auto valid = hn::And(hn::Gt(z, zero), hn::Le(z, farthest));
     const auto inverse = hn::Div(one, hn::IfThenElse(valid, z, one));
     return hn::IfThenElseZero(hn::And(valid, hn::Le(inverse, largest)), inverse);
   });

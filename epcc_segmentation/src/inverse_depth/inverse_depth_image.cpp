@@ -112,11 +112,10 @@ void InverseDepthImage::readScan(const DepthFrame& frame) {
       w[r * columns + c] = 0.0f;
       if (!frame.scanPoint(static_cast<int>(r), static_cast<int>(c), p)) continue;
       const double distance = std::sqrt(p.x() * p.x() + p.z() * p.z());
-      if (!(distance > 0.0)) continue;
+      if (!(distance > 0.0 && distance <= kFarthestMeasured && std::abs(p.y()) <= kFarthestMeasured)) continue;
       const double inverse = 1.0 / distance;
-      const auto value = static_cast<float>(inverse);
-      if (!std::isfinite(value) || !(value > 0.0f)) continue;
-      w[r * columns + c] = value;
+      if (!(inverse <= kLargestInverse)) continue;
+      w[r * columns + c] = static_cast<float>(inverse);
       across[c] += p.x() * inverse;
       forward[c] += p.z() * inverse;
       along[r] += p.y() * inverse;

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <limits>
 
+#include "inverse_depth/depth_inversion.h"
 #include "vector/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -43,16 +44,16 @@ HWY_INLINE std::size_t invertVector(const float* xyz, float sign, float* w, doub
   const hn::Half<Floats> half;
   const auto zero = hn::Zero(d);
   const auto one = hn::Set(d, 1.0f);
-  const auto largest = hn::Set(d, std::numeric_limits<float>::max());
+  const auto farthest = hn::Set(d, kFarthestMeasured);
   FloatVector x, y, z, rest;
   hn::LoadInterleaved4(d, xyz, x, y, z, rest);
   y = hn::Mul(y, hn::Set(d, sign));
   z = hn::Mul(z, hn::Set(d, sign));
-  const auto finite = hn::And(hn::Le(hn::Abs(x), largest), hn::Le(hn::Abs(y), largest));
-  const auto measured = hn::And(finite, hn::And(hn::Gt(z, zero), hn::Le(z, largest)));
+  const auto is_near = hn::And(hn::Le(hn::Abs(x), farthest), hn::Le(hn::Abs(y), farthest));
+  const auto measured = hn::And(is_near, hn::And(hn::Gt(z, zero), hn::Le(z, farthest)));
   z = hn::IfThenElse(measured, z, one);
   const auto inverse = hn::Div(one, z);
-  const auto valid = hn::And(measured, hn::And(hn::Gt(inverse, zero), hn::Le(inverse, largest)));
+  const auto valid = hn::And(measured, hn::Le(inverse, hn::Set(d, kLargestInverse)));
   hn::StoreU(hn::IfThenElseZero(valid, inverse), d, w);
   x = hn::IfThenElseZero(valid, x);
   y = hn::IfThenElseZero(valid, y);

@@ -42,7 +42,8 @@ AlignedPose alignPose(const std::vector<MapPlane>& planes, const std::vector<See
       const Eigen::Vector3d q = -plane.head<3>() / plane(3);
       const Eigen::Matrix3d rays = seen[k].rays / error_scale;
       const Eigen::Matrix3d joint = (Eigen::Matrix3d::Identity() + rays * known).inverse();
-      const Eigen::Matrix3d weight = joint * rays;
+      const Eigen::Matrix3d product = joint * rays;
+      const Eigen::Matrix3d weight = 0.5 * (product + product.transpose());  // rounding leaves it none
       const Eigen::Vector3d pull = joint * (seen[k].rays_w / error_scale - rays * q);
       // e^T W e with W e = pull and e = known pull + M^-1 (...): the part that is seen of e.
       const Eigen::Vector3d error = weight.fullPivLu().solve(pull);

@@ -136,6 +136,7 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     result.b = fit.b;
     sigma = {fit.a, fit.b, true};
   }
+  if (!result.model().validate().empty()) return genericEstimate(image);  // of numbers that no sensor measured
   const double pixels = image.steps.side();
   for (double* length : {&result.correlation_length, &result.blotch_length, &result.effective_length})
     *length *= pixels;

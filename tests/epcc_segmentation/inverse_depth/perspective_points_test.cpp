@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "epcc_segmentation/vector_unit.h"
+#include "inverse_depth/depth_inversion.h"
 #include "inverse_depth/perspective_points.h"
 
 namespace epcc {
@@ -36,8 +37,9 @@ Sums expectedSums(const DepthFrame& frame) {
       float& w = sums.w[r * static_cast<std::size_t>(frame.width()) + c];
       w = 0.0f;
       if (!frame.scanPoint(row, column, p)) continue;
+      if (p.cwiseAbs().maxCoeff() > static_cast<double>(kFarthestMeasured)) continue;
       const double inverse = 1.0 / p.z();
-      if (!std::isfinite(static_cast<float>(inverse))) continue;
+      if (static_cast<float>(inverse) > kLargestInverse) continue;
       w = static_cast<float>(inverse);
       sums.across[c] += p.x() * inverse;
       sums.along[r] += p.y() * inverse;

@@ -23,13 +23,13 @@ constexpr const char* kSeed = "17";  // the same in each run: a test that fails 
 
 constexpr int kFatal[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 char last_case[1024] = "no case yet\n";
-struct sigaction before[std::size(kFatal)];
+struct sigaction handlers_before[std::size(kFatal)];
 
 /// Tells the case, then leaves the signal to whom it belonged: it comes again.
 void tellCase(int signal) {
   (void)!::write(STDERR_FILENO, last_case, std::strlen(last_case));
   for (std::size_t i = 0; i < std::size(kFatal); ++i)
-    if (kFatal[i] == signal) ::sigaction(signal, &before[i], nullptr);
+    if (kFatal[i] == signal) ::sigaction(signal, &handlers_before[i], nullptr);
   if (signal == SIGABRT) ::raise(signal);
 }
 
@@ -46,7 +46,7 @@ class PropertyRuns : public testing::Environment {
     ::setenv("RC_PARAMS", params.c_str(), 0);
     struct sigaction action = {};
     action.sa_handler = tellCase;
-    for (std::size_t i = 0; i < std::size(kFatal); ++i) ::sigaction(kFatal[i], &action, &before[i]);
+    for (std::size_t i = 0; i < std::size(kFatal); ++i) ::sigaction(kFatal[i], &action, &handlers_before[i]);
   }
 };
 
