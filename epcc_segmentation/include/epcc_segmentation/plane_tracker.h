@@ -30,9 +30,9 @@ struct TrackerParameters {
   /// A plane gets its label when it was seen in so many frames. [1, 1000], default 3. Raise it if flicker gets labels;
   /// lower it if a new wall is to be reported at once.
   int confirm_frames = 3;
-  /// What is new is segmented in every frame, but what was no plane in the last one only in every so many frames. [1,
-  /// 1000], default 10. Raise it for speed; lower it, to 1, if small planes at the limit of what is found are to be
-  /// seen in their first frame.
+  /// What is new is segmented at once where it is much, within four frames where it is little; what was no plane in the
+  /// last frame only in every so many frames. [1, 1000], default 10. Raise it for speed; lower it, to 1, if small
+  /// planes at the limit of what is found are to be seen in their first frame.
   int search_frames = 10;
   /// Frames that a decision remembers: whether a track is clutter, and whether two are one. [1, 1000], default 15.
   int memory_frames = 15;
