@@ -31,9 +31,12 @@ fail() {
 command=("$bin/epcc_eval" rooms halls --methods "epcc,omps" --overlays --no-times)
 evaluate() { "${command[@]}" "$@" >out 2>err; }
 
-# same FOLDER [REFERENCE]: it holds the files of the reference, with the same bytes, and no others. How the run was made
+# same FOLDER: it holds the files of the run left alone, with the same bytes, and no others. How the run was made
 # may differ.
-same() { diff -r --exclude=.epcc-lock --exclude=run.json "${2:-whole}" "$1" >difference || fail "$1: $(head -n 3 difference)"; }
+same() {
+  diff -r --exclude=.epcc-lock --exclude=run.json whole "$1" >difference ||
+    fail "$1: $(head -n 3 difference)"
+}
 
 # told CODE WORDS: the last run ended with the code and one line that has the words.
 told() {
@@ -120,7 +123,9 @@ echo "Two in one folder: the second is told, the first goes on"
 mkdir many
 mapfile -t names < <(find rooms -name '*_depth.png' ! -name 'a_001*' | sed 's/_depth\.png$//' | sort)
 for ((i = 0; i < many; ++i)); do
-  for part in _depth.png _labels.png .json; do printf '%s\0many/f%07d%s\0' "${names[i % ${#names[@]}]}$part" "$i" "$part"; done
+  for part in _depth.png _labels.png .json; do
+    printf '%s\0many/f%07d%s\0' "${names[i % ${#names[@]}]}$part" "$i" "$part"
+  done
 done | xargs -0 -n 2 ln
 /usr/bin/python3 - <<'END'
 import struct, zlib
@@ -142,7 +147,8 @@ for way in "--jobs 1" "--jobs 2 --frame-timeout 600"; do
   (ulimit -v $((2 * 1024 * 1024)) &&
     "$bin/epcc_eval" many --methods omps --no-times "${words[@]}" --out run >out 2>err) || code=$?
   ((code == 0)) || fail "2 GB of address space: exit code $code"
-  [[ $(head -n 1 err) == "epcc_eval: many/large: omps: needs more memory than there is" ]] || fail "the large frame is not named"
+  [[ $(head -n 1 err) == "epcc_eval: many/large: omps: needs more memory than there is" ]] ||
+    fail "the large frame is not named"
   [[ $(tail -n 1 err) == "epcc_eval: 1 error, $many results scored" ]] || fail "a small frame is lost"
   [[ $(wc -l <err) == 2 ]] || fail "more than that is told"
   rm -rf run

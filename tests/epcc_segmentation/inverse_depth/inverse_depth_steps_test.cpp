@@ -225,6 +225,10 @@ TEST(PlaneGrowing, NeighboursOfOneHeightJoinAndAStepDoesNot) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(planes[static_cast<std::size_t>(i)], i < 10 ? 0 : 1) << i;
 }
 
+TEST(PlaneGrowing, ALineWithoutASegmentDoesNotEndASurface) {
+  EXPECT_EQ(planesOf({{lineOf(0.5, 0, 50, 5e-4)}, {}, {lineOf(0.5, 0, 50, 5e-4)}}), (std::vector<int>{0, 0}));
+}
+
 TEST(PlaneGrowing, SegmentsThatDoNotOverlapInTheImageStayApart) {
   EXPECT_EQ(planesOf({{lineOf(0.5, 0, 50, 5e-4)}, {lineOf(0.5, 60, 100, 5e-4)}})[1], 1);
   EXPECT_EQ(planesOf({{lineOf(0.5, 0, 50, 5e-4)}, {lineOf(0.5, 49, 100, 5e-4)}})[1], 1);  // 2 pixels

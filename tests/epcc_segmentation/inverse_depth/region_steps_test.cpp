@@ -235,6 +235,25 @@ TEST(SurfaceBending, IsZeroOnASlantedPlaneAndForRegionsNotAskedFor) {
   EXPECT_LT(bending[2].curvature, 1e-2);
 }
 
+/// The others would be planes by their size and roughness: only their bending can tell.
+TEST(Evidence, BendingIsAskedForItsRadiusItsShareAndItsWorth) {
+  const auto isKept = [](double radius, double sigma, double noise) {
+    const SensorModel sensor = SensorModel::axial(sigma, 0.0, 1.0);
+    RenderedRoom room = roundThing(radius, true, 160.0, 120.0);
+    if (noise > 0.0) epcc::test::addNoise(room, SensorModel::axial(noise, 0.0, 1.0), 7);
+    const auto image = imageOf(room, sensor);
+    auto map = regionsOf(image, room.labels, 1);
+    EXPECT_TRUE(epcc::isPlane(map.regions[0], epcc::InverseDepthParameters(), sensor)) << radius << " " << sigma;
+    epcc::EvidenceMemory memory;
+    epcc::rejectRegions(image, epcc::InverseDepthParameters(), sensor, map, memory);
+    return map.regions[0].n > 0.0;
+  };
+  EXPECT_FALSE(isKept(0.3, 0.01, 0.0));
+  EXPECT_TRUE(isKept(0.5, 0.01, 0.0)) << "the radius is larger than min_radius";
+  EXPECT_TRUE(isKept(0.3, 0.01, 0.015)) << "most of the residuals are no bending";
+  EXPECT_TRUE(isKept(0.3, 0.5, 0.0)) << "next to the error of the sensor it is nothing";
+}
+
 TEST(Evidence, FacetsOfRoundThingsAreNoPlanesBoxesAndSlowBendsAre) {
   const SensorModel sensor = SensorModel::axial(0.002, 0.0, 1.0);
   const auto isKept = [&](RenderedRoom room) {

@@ -102,6 +102,30 @@ TEST_F(PlaneClusteringTest, UnlabelledSegmentsOlderThanTwoLinesAreOutliers) {
   }
 }
 
+TEST_F(PlaneClusteringTest, TheMostCoplanarOfTwoPartnersStartsThePlane) {
+  auto clustering = make();
+  ClusteredLine tilted = vertical(0.0, 2.0, -0.5, 0.0);
+  tilted.b.z() += 0.002;
+  clustering.addLine({tilted, vertical(0.0, 2.0, 0.01, 0.5)});
+  clustering.addLine({vertical(0.01, 2.0, -0.2, 0.2)});
+  EXPECT_EQ(clustering.labels(), (std::vector<int>{PlaneClustering::kUnlabelled, 0, 0}));
+}
+
+TEST_F(PlaneClusteringTest, TheFirstOfTwoEqualPartnersStartsThePlane) {
+  auto clustering = make();
+  clustering.addLine({vertical(0.0, 2.0, -0.5, 0.0), vertical(0.0, 2.0, 0.01, 0.5)});
+  clustering.addLine({vertical(0.01, 2.0, -0.2, 0.2)});
+  EXPECT_EQ(clustering.labels(), (std::vector<int>{0, PlaneClustering::kUnlabelled, 0}));
+}
+
+TEST_F(PlaneClusteringTest, ASurfaceThatForksGoesOnOnBothSides) {
+  auto clustering = make();
+  clustering.addLine({vertical(-0.005, 2.0)});
+  clustering.addLine({vertical(0.005, 2.0)});
+  for (int i = 1; i <= 30; ++i) clustering.addLine({vertical(-0.01 * i, 2.0), vertical(0.01 * i, 2.0)});
+  for (const int label : clustering.labels()) EXPECT_EQ(label, 0);
+}
+
 TEST_F(PlaneClusteringTest, TheBestOfTwoFittingPlanesWins) {
   auto clustering = make();
   for (int i = 0; i < 10; ++i)

@@ -45,6 +45,13 @@ TEST(LastingRepeatability, NeedsTheSameLabel) {
   EXPECT_EQ(other.repeated_pixels, 400);
 }
 
+TEST(LastingRepeatability, ViewsMayBeginWithoutALabel) {
+  const LastingRegions regions = stripes({{0, 0}, {60, 1}});
+  const LastingRepeatability result = lastingRepeatability(itself(), regions, regions);
+  EXPECT_EQ(result.regions, 1);
+  EXPECT_EQ(result.repeated_pixels, 400);
+}
+
 TEST(LastingRepeatability, SwappedLabelsAreNoRepetition) {
   EXPECT_EQ(lastingRepeatability(itself(), stripes({{0, 1}, {50, 2}}), stripes({{0, 2}, {50, 1}})).repeated, 0);
 }
@@ -93,6 +100,14 @@ TEST(SwitchCounter, CountsChangesOfTheHolder) {
   EXPECT_EQ(counter.result().switches, 2);
   EXPECT_DOUBLE_EQ(counter.result().seconds, 6.0);
   EXPECT_DOUBLE_EQ(counter.result().perMinute(), 20.0);
+}
+
+TEST(SwitchCounter, StayingIsNoSwitch) {
+  SwitchCounter counter;
+  const LabelImage truth(kWidth, kHeight, 5);
+  for (const double time : {0.0, 1.0, 2.0, 3.0}) counter.add(truth, stripes({{0, 1}}).labels, time);
+  EXPECT_EQ(counter.result().switches, 0);
+  EXPECT_DOUBLE_EQ(counter.result().seconds, 3.0);
 }
 
 TEST(SwitchCounter, LeavesOutWhatIsNoSurfaceOrSmall) {

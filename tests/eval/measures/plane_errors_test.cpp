@@ -67,6 +67,14 @@ TEST(PlaneErrors, OfTheLargestClusterThatTheSurfaceDominates) {
   EXPECT_NEAR(errors[0].normal_degrees, 2.0, 1e-9);
 }
 
+TEST(PlaneErrors, PixelsWithoutALabelAreNoCluster) {
+  const auto errors =
+      epcc::planeErrors(tableOf({{90, 0, 1}, {20, 1, 1}, {10, 2, 1}}), TruePlanes{{1, tilted(0.0, 1.0)}},
+                        {planeOf(tilted(1.0, 1.0)), planeOf(tilted(2.0, 1.0))});
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].cluster_id, 1);
+}
+
 TEST(PlaneErrors, ClusterWithoutAPlaneHasNoError) {
   EXPECT_TRUE(epcc::planeErrors(tableOf({{10, 5, 1}}), TruePlanes{{1, tilted(0.0, 1.0)}}, {}).empty());
   EXPECT_TRUE(errorsOf(tilted(0.0, 1.0), Eigen::Vector4d::Zero()).empty());

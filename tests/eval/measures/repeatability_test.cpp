@@ -80,6 +80,16 @@ TEST(Repeatability, ARegionCutInTwoIsNotRepeatedEitherWay) {
   }
 }
 
+TEST(Repeatability, RegionsMayBeInterleaved) {
+  const PosedView view = wallView();
+  PlaneSegmentation combed = striped(view, {0, 50});
+  for (std::size_t i = 0; i < combed.labels.size(); ++i) combed.labels[i] = 1 + static_cast<std::int32_t>(i % 2);
+  const SeenRegions regions = seenRegions(view, combed, kCentimetre);
+  const Repeatability result = repeatability(view, regions, view, regions);
+  EXPECT_EQ(result.repeated, 2);
+  EXPECT_EQ(result.repeated_pixels, 1000);
+}
+
 TEST(Repeatability, EightyPercentOfBothPartnersSuffice) {
   EXPECT_EQ(ofStripes({0}, {0, 80}).repeated, 1);
   EXPECT_EQ(ofStripes({0}, {0, 80}).repeated_pixels, 1000) << "all shared pixels of the repeated region";

@@ -70,6 +70,14 @@ TEST(TrajectoryErrors, ScaleIsAnError) {
   EXPECT_GT(absoluteTrajectoryErrors(large, truth).rmse, 0.1);
 }
 
+TEST(TrajectoryErrors, TruthWithinTwoIntervalsIsGoodEnough) {
+  Trajectory late = curve();
+  for (StampedPose& stamped : late) stamped.time += 0.049;
+  EXPECT_EQ(relativePoseErrors(late, curve(), 1.0).metres.count, 30U);
+  for (StampedPose& stamped : late) stamped.time += 3.8;
+  EXPECT_EQ(relativePoseErrors(late, curve(), 1.0).metres.count, 0U) << "none has the truth at both ends";
+}
+
 TEST(TrajectoryErrors, PosesWithoutTruthAreLeftOut) {
   Trajectory late = curve();
   for (StampedPose& stamped : late) stamped.time += 10.0;
