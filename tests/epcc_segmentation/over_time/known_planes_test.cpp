@@ -14,12 +14,12 @@
 namespace epcc {
 namespace {
 
-const SensorModel kSensor = SensorModel::axial(0.0005, 0.001, 0.0);
+const SensorModel kKnownSensor = SensorModel::axial(0.0005, 0.001, 0.0);
 
 /// A frame and what is known of it by itself.
 struct KnownFrame {
   test::RenderedRoom room = test::renderRoom(test::cornerPlanes(), test::testCamera());
-  PlaneExtractor extractor{Parameters(), kSensor};
+  PlaneExtractor extractor{Parameters(), kKnownSensor};
   PlaneSegmentation first, again;
   KnownPlanes known;
   Continuation continuation;
@@ -92,7 +92,7 @@ TEST(KnownPlanes, NumbersWithoutAPlaneAreAsIfNothingWereKnown) {
 // The pose is exact: its covariance is 0.
 TEST(KnownPlanes, TwoHalvesOfAWallAreJudgedWhereNothingIsNew) {
   const test::RenderedRoom room = test::renderRoom(test::cornerPlanes(), test::testCamera());
-  PlaneExtractor extractor(Parameters(), kSensor);
+  PlaneExtractor extractor(Parameters(), kKnownSensor);
   PlaneSegmentation first, again;
   ASSERT_TRUE(extractor.extract(room.frame(), first));
   const auto halves = static_cast<std::int32_t>(first.planes.size()) + 1;
