@@ -98,9 +98,11 @@ namespace epcc {
 
 HWY_EXPORT(DecideBorderPixels);
 
+// rows_, whose size is asked for, grows last: if memory runs out before, the next frame tries again.
 void BorderQuestions::grow(std::size_t size) {
-  for (std::vector<std::int32_t>* numbers : {&rows_, &columns_, &owns_, &others_}) numbers->resize(size);
+  for (std::vector<std::int32_t>* numbers : {&columns_, &owns_, &others_}) numbers->resize(size);
   sides_.resize(size);
+  rows_.resize(size);
 }
 
 BorderQuestions::Arrays BorderQuestions::filledUp() {

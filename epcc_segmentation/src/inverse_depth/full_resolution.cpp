@@ -175,6 +175,7 @@ void FullResolution::label(const InverseDepthImage& image, const InverseDepthNoi
     memory.run_labels.reserve(static_cast<std::size_t>(sample_columns));
     const auto pixels_of_row = static_cast<std::size_t>(sample_columns) * static_cast<std::size_t>(steps.area());
     memory.questions.makeRoomFor(kEnoughQuestions + pixels_of_row);
+    memory.questions.clear();  // of a frame that memory did not suffice for
   }
   begins_part_.assign(static_cast<std::size_t>(sample_rows), 0);
   // Each pixel faces one block beside it and one above or below it, and is asked once about each, in this order.
