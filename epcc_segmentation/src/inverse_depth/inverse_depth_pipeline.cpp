@@ -117,15 +117,15 @@ void InverseDepthPipeline::segmentNothing() {
 // If little is new it is noted for a later frame. Planes are what they were: S7 and S9 are for frames in which
 // something may have changed.
 bool InverseDepthPipeline::waitForMore(const KnownPlanes& known) {
+  const auto is_new = [this](std::size_t i) { return map_.labels[i] == 0 && image_->w[i] > 0.0f; };
   std::size_t count = 0;
-  for (std::size_t i = 0; i < map_.labels.size(); ++i) count += (map_.labels[i] == 0) & (image_->w[i] > 0.0f) ? 1 : 0;
+  for (std::size_t i = 0; i < map_.labels.size(); ++i) count += is_new(i) ? 1 : 0;
   if (static_cast<double>(count) > kMayWait * static_cast<double>(map_.labels.size())) return false;
   continuation_->waiting_side = steps_.across;
   std::size_t i = 0;
   for (int row = 0; row < image_->height; ++row)
     for (int column = 0; column < image_->width; ++column, ++i) {
-      if (map_.labels[i] == 0 && image_->w[i] > 0.0f)
-        continuation_->waiting.push_back(full_image_->width * row * steps_.along + column * steps_.across);
+      if (is_new(i)) continuation_->waiting.push_back(full_image_->width * row * steps_.along + column * steps_.across);
       map_.labels[i] = std::max(map_.labels[i], 0);
     }
   has_rest_ = judges_known_ = searches_ = false;
