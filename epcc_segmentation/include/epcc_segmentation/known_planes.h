@@ -82,7 +82,7 @@ struct Continuation {
   /// Squares of waiting_side pixels that are new and wait for a later frame, by their upper left pixel (row * width +
   /// column).
   std::vector<std::int32_t> waiting;
-  int waiting_side = 1;
+  int waiting_side = 1;             ///< of these squares, pixels
   std::size_t samples = 0;          ///< that are measured
   std::size_t from_first_view = 0;  ///< of them, those that the first view labelled
   std::size_t from_views = 0;       ///< those that all views together labelled
