@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rows of the parameter table. Their texts are those of the headers' comments; a test holds the two against each
 // other.
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -23,10 +26,26 @@ ParameterField choice(const char* name, Get get, Set set, bool whole, std::vecto
   return {name, get, set, whole, 0.0, last, std::move(words), "", meaning, "", "", advice};
 }
 
+/// The value of a field nearest to a number, which a whole number or a choice cannot always hold. What is no number is
+/// the lowest, which no range contains.
+template <typename Field>
+Field nearestOf(double value) {
+  if constexpr (std::is_same<Field, bool>::value) {
+    return value != 0.0;
+  } else if constexpr (std::is_enum<Field>::value) {
+    return static_cast<Field>(nearestOf<std::underlying_type_t<Field>>(value));
+  } else if constexpr (std::is_integral<Field>::value) {
+    const double low = std::numeric_limits<Field>::lowest(), high = std::numeric_limits<Field>::max();
+    return std::isnan(value) ? std::numeric_limits<Field>::lowest() : static_cast<Field>(std::clamp(value, low, high));
+  } else {
+    return static_cast<Field>(value);
+  }
+}
+
 // A field's name is its path in Parameters; choices are enums or bool.
 #define EPCC_FIELD(path) \
 #path, [](const Parameters& p) { return static_cast<double>(p.path); },                                           \
-      [](Parameters& p, double value) { p.path = static_cast<std::decay_t<decltype(p.path)>>(value); },             \
+      [](Parameters& p, double value) { p.path = nearestOf<std::decay_t<decltype(p.path)>>(value); },                  \
       !std::is_floating_point<decltype(std::declval<Parameters&>().path)>::value
 
 std::vector<ParameterField> generalFields() {

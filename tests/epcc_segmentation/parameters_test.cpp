@@ -44,6 +44,19 @@ TEST(Parameters, EveryFieldOutOfRangeIsNamed) {
   }
 }
 
+// Found by fuzzing: twice the largest min_points, twice, is no whole number that the field can hold.
+TEST(Parameters, NumbersThatAFieldCannotHoldAreOutOfRange) {
+  for (const ParameterField& field : parameterFields()) {
+    if (!field.whole || (!field.choices.empty() && field.high == 1.0)) continue;
+    for (const double value : {4e9, -4e9, 1e300, -1e300, std::numeric_limits<double>::infinity(),
+                               -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+      Parameters p;
+      field.set(p, value);
+      EXPECT_EQ(p.validate().rfind(field.name, 0), 0u) << field.name << '=' << value << ": " << p.validate();
+    }
+  }
+}
+
 TEST(Parameters, RelationsBetweenFieldsAreChecked) {
   Parameters buffer;
   buffer.paper.expert.lines.buffer_samples = 7;

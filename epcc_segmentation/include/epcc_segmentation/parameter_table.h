@@ -18,7 +18,7 @@ constexpr double kAboveZero = 1e-6;
 struct ParameterField {
   const char* name;                  ///< as in C++, for example "inverse_depth.line_k_max"
   double (*get)(const Parameters&);  ///< its value
-  void (*set)(Parameters&, double);  ///< changes it; the range is not checked
+  void (*set)(Parameters&, double);  ///< changes it, to the nearest that it can hold; the range is not checked
   bool whole;                        ///< whole numbers only
   double low;                        ///< smallest value of a number, or kAboveZero
   double high;                       ///< largest value of a number
