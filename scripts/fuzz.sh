@@ -58,6 +58,10 @@ run_target() {
   printf '%-12s %10d executions  %6d a second  %6d edges  %s\n' "$target" \
     "$(value_of stat::number_of_executed_units: "$log")" "$(value_of stat::average_exec_per_sec: "$log")" \
     "$(value_of cov: "$log")" "$verdict"
+  # Where nobody can look at the files, in CI, these lines are all there is.
+  if ((code != 0)); then
+    grep -E 'runtime error|require|^ *#[0-9]+ |ERROR|SUMMARY|^Base64' "$log" | head -n 40 | sed "s/^/$target: /"
+  fi
   return "$code"
 }
 
