@@ -155,7 +155,7 @@ void setUsualMaximum(std::vector<LaserRecord>& records) {
 LaserLog readCarmenLog(const std::string& path) {
   LaserLog log;
   std::array<std::vector<LaserRecord>, kMessages.size()> found;
-  std::size_t beams = 0;
+  std::size_t scans = 0, beams = 0;
   try {
     TextLines lines(path);
     std::string_view line;
@@ -167,14 +167,13 @@ LaserLog readCarmenLog(const std::string& path) {
           Words words(line);
           found[k].push_back(kMessages[k].read(words));
           found[k].back().line = lines.number();
+          ++scans;
           beams += found[k].back().scan.ranges.size();
         } catch (const Damage& damage) {
           log.addProblem(InputError(path, "line " + std::to_string(lines.number()), damage.what).what());
         }
       }
-      if (beams > kMaxLogBeams)
-        throw InputError(path, "line " + std::to_string(lines.number()),
-                         "more than " + std::to_string(kMaxLogBeams) + " beams: split the log");
+      checkLogSize(path, lines.number(), scans, beams);
     }
   } catch (const InputError& error) {
     log.addProblem(error.what());

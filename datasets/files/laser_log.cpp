@@ -20,6 +20,14 @@ void LaserLog::addProblem(const std::string& problem) {
     ++more_problems;
 }
 
+void checkLogSize(const std::string& path, long line, std::size_t scans, std::size_t beams) {
+  if (scans <= kMaxLogScans && beams <= kMaxLogBeams) return;
+  const std::string place = "line " + std::to_string(line);
+  if (scans > kMaxLogScans)
+    throw InputError(path, place, "more than " + std::to_string(kMaxLogScans) + " scans: split the log");
+  throw InputError(path, place, "more than " + std::to_string(kMaxLogBeams) + " beams: split the log");
+}
+
 LaserLog readLaserLog(const std::string& path) {
   const std::uintmax_t size = inputFileSize(path);
   TextLines lines(path);

@@ -11,9 +11,13 @@
 
 namespace epcc {
 
-/// Beams of a scan and of a log that are read at most.
+/// Beams of a scan, and beams and scans of a log, that are read at most.
 constexpr std::size_t kMaxScanBeams = 1000 * 1000;
 constexpr std::size_t kMaxLogBeams = 200 * 1000 * 1000;
+constexpr std::size_t kMaxLogScans = 10 * 1000 * 1000;
+
+/// InputError, at a line of a log, if it has more than these so far: a packed file of a few megabytes may.
+void checkLogSize(const std::string& path, long line, std::size_t scans, std::size_t beams);
 
 /// Place and heading in a plane.
 struct LaserPose {

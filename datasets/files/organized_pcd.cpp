@@ -195,6 +195,14 @@ std::string labelledHeader(int width, int height) {
   return header.str();
 }
 
+/// lzf_compress() has a table of 512 KiB on the stack, which cannot say that there is no memory: it is asked for here,
+/// and free again when the stack grows.
+void askForStack() {
+  constexpr std::size_t kLzfTable = 1 << 20;
+  std::vector<char> memory;
+  memory.reserve(kLzfTable);
+}
+
 /// The two sizes and the fields one after another, LZF.
 std::string labelledPayload(const std::string& path, const std::vector<float>& xyz,
                             const std::vector<std::uint32_t>& labels) {
@@ -206,6 +214,7 @@ std::string labelledPayload(const std::string& path, const std::vector<float>& x
   }
   const auto size = static_cast<std::uint32_t>(4 * fields.size());
   std::string payload(8 + size + size / 2 + 64, '\0');
+  askForStack();
   const std::uint32_t packed_size =
       lzf_compress(fields.data(), size, &payload[8], static_cast<unsigned>(payload.size() - 8));
   if (packed_size == 0) throw OutputError(path, "DATA", "cannot be compressed");

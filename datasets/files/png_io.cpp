@@ -119,6 +119,13 @@ bool writePixels(Writer& writer, int width, int height, int bit_depth, int color
   return true;
 }
 
+/// The disk is not to blame where memory ran out: in libpng or zlib, which have no other sign of it, or in the system.
+void throwIfOutOfMemory(const char* problem) {
+  for (const char* words : {"insufficient memory", "Insufficient memory", "out of memory", "Out of memory"})
+    if (std::strstr(problem, words) != nullptr) throw std::bad_alloc();
+  if (std::strcmp(problem, std::strerror(ENOMEM)) == 0) throw std::bad_alloc();
+}
+
 /// Pointers to the rows of an image, for libpng.
 template <typename T>
 std::vector<png_bytep> rowPointers(const Image<T>& image) {
@@ -137,11 +144,16 @@ void writeImage(const std::string& path, const Image<T>& image, int bit_depth, i
   auto rows = rowPointers(image);
   writeAtomically(path, [&](const std::string& temporary) {
     File file(std::fopen(temporary.c_str(), "wb"));
-    if (!file) throw OutputError(path, "file", std::strerror(errno));
+    if (!file) {
+      throwIfOutOfMemory(std::strerror(errno));
+      throw OutputError(path, "file", std::strerror(errno));
+    }
     Writer writer(file.get());
-    if (writer.info == nullptr) throw OutputError(path, "PNG", "out of memory");
-    if (!writePixels(writer, image.width, image.height, bit_depth, color_type, rows.data()))
+    if (writer.info == nullptr) throw std::bad_alloc();
+    if (!writePixels(writer, image.width, image.height, bit_depth, color_type, rows.data())) {
+      throwIfOutOfMemory(writer.message);
       throw OutputError(path, "PNG", std::ferror(file.get()) != 0 ? std::strerror(errno) : writer.message);
+    }
     // Some file systems tell of a full disk when the file is closed.
     if (std::ferror(file.get()) != 0 || std::fclose(file.release()) != 0)
       throw OutputError(path, "file", std::strerror(errno));
@@ -162,7 +174,7 @@ File openPng(const std::string& path) {
 }
 
 void readCheckedHeader(const std::string& path, Reader& reader) {
-  if (reader.info == nullptr) throw InputError(path, "PNG", "out of memory");
+  if (reader.info == nullptr) throw std::bad_alloc();
   if (!readHeader(reader)) throw InputError(path, "PNG header", reader.message);
 }
 

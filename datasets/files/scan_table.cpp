@@ -135,9 +135,7 @@ LaserLog readScanTable(const std::string& path) {
       } catch (const InputError& error) {
         log.addProblem(error.what());
       }
-      if (beams > kMaxLogBeams)
-        throw InputError(path, "line " + std::to_string(lines.number()),
-                         "more than " + std::to_string(kMaxLogBeams) + " beams: split the log");
+      checkLogSize(path, lines.number(), log.records.size(), beams);
     }
   } catch (const InputError& error) {
     log.addProblem(error.what());

@@ -16,8 +16,7 @@ namespace epcc {
 namespace {
 
 constexpr std::size_t kNumbers = 8;
-constexpr double kLengthTolerance = 0.01;  // of a quaternion: files have three decimals and more
-constexpr std::size_t kMaxPoses = 100U * 1000 * 1000;
+constexpr double kLengthTolerance = 0.01;                   // of a quaternion: files have three decimals and more
 constexpr std::size_t kMaxTrajectoryLine = kNumbers * 330;  // the largest numbers have 309 digits before the point
 const char kTrajectoryHeading[] = "# timestamp tx ty tz qx qy qz qw (s; camera to world, metres)\n";
 
@@ -42,6 +41,11 @@ std::string readPose(std::string_view line, StampedPose& stamped) {
 
 }  // namespace
 
+void checkPoseCount(const std::string& path, long line, std::size_t poses) {
+  if (poses > kMaxPoses)
+    throw InputError(path, "line " + std::to_string(line), "more poses than " + std::to_string(kMaxPoses));
+}
+
 Trajectory readTrajectory(const std::string& path) {
   Trajectory trajectory;
   TextLines lines(path);
@@ -57,8 +61,8 @@ Trajectory readTrajectory(const std::string& path) {
       throw InputError(path, place,
                        stamped.time < trajectory.back().time ? "its time is before that of the pose above it"
                                                              : "its time is that of the pose above it");
-    if (trajectory.size() == kMaxPoses) throw InputError(path, place, "more poses than " + std::to_string(kMaxPoses));
     trajectory.push_back(stamped);
+    checkPoseCount(path, lines.number(), trajectory.size());
   }
   if (trajectory.empty()) throw InputError(path, "file", "has no pose");
   return trajectory;

@@ -22,6 +22,13 @@ using Trajectory = std::vector<StampedPose>;
 /// Largest difference of two times that belong to each other, seconds: that of TUM's associate.py.
 constexpr double kMaxTimeDifference = 0.02;
 
+/// Poses that are read at most: those of a camera with 30 frames a second in 92 hours.
+constexpr std::size_t kMaxPoses = 10U * 1000 * 1000;
+
+/// InputError, at a line of a file, if there are more poses than these so far: a packed file of a few megabytes may
+/// have them.
+void checkPoseCount(const std::string& path, long line, std::size_t poses);
+
 /// Lines `timestamp tx ty tz qx qy qz qw`, and comments that start with #; packed by gzip or not. InputError naming
 /// file and line: a line with fewer or more numbers, one that is not finite, a quaternion whose length is not 1 (to a
 /// hundredth, then it is made 1), a time that is not later than the one before, no pose at all.

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
+#include <iostream>
 #include <new>
 #include <ostream>
 #include <thread>
@@ -16,6 +18,7 @@ namespace epcc {
 namespace {
 
 constexpr std::size_t kMaxLineBytes = 2000;
+constexpr const char* kNoMemory = "needs more memory than there is";
 
 /// "epcc_eval merge" -> "epcc_eval: merge: "
 std::string lineStart(const std::string& program) {
@@ -78,7 +81,7 @@ int runStep(const std::string& program, std::ostream& err, const std::function<i
   } catch (const OutputError& error) {
     return reportProblem(program, err, error.what(), kExitOutput);
   } catch (const std::bad_alloc&) {
-    return reportProblem(program, err, "needs more memory than there is", kExitInput);
+    return reportProblem(program, err, kNoMemory, kExitInput);
   } catch (const std::exception& error) {
     return reportProblem(program, err, error.what(), kExitInput);
   }
@@ -88,6 +91,16 @@ int runProgram(const std::string& program, std::ostream& out, std::ostream& err,
   const int code = runStep(program, err, run);
   out.flush();
   return out ? code : reportProblem(program, err, "standard output: cannot be written", kExitOutput);
+}
+
+int runMain(const char* program, int (*run)(int, const char* const*, std::ostream&, std::ostream&), int argc,
+            const char* const* argv) {
+  try {
+    return run(argc, argv, std::cout, std::cerr);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "%s: %s\n", program, kNoMemory);  // takes none
+    return kExitInput;
+  }
 }
 
 std::string projectVersion() {

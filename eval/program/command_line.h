@@ -44,6 +44,11 @@ int runStep(const std::string& program, std::ostream& err, const std::function<i
 /// be written.
 int runProgram(const std::string& program, std::ostream& out, std::ostream& err, const std::function<int()>& run);
 
+/// main() of a program named `program`: `run` with the standard streams. Memory that runs out where nothing else turns
+/// it into a line and a code, before there is a command line for instance, is kExitInput like any that does.
+int runMain(const char* program, int (*run)(int, const char* const*, std::ostream&, std::ostream&), int argc,
+            const char* const* argv);
+
 /// "0.1.0", and the line that --version prints: "epcc_segment 0.1.0".
 std::string projectVersion();
 std::string versionText(const std::string& program);

@@ -35,11 +35,11 @@ SegmentInput fileInput(const std::string& path, const SegmentOptions& options) {
   SegmentInput input;
   input.path = path;
   input.name = frameName(path);
-  std::error_code ignored;
+  std::error_code code;
   if (path == "-") {
     input.problem = InputError(path, "standard input", "cannot be read, name a file");
-  } else if (!fs::exists(path, ignored)) {
-    input.problem = InputError(path, "file", "does not exist");
+  } else if (!fs::exists(path, code)) {
+    input.problem = InputError(path, "file", code ? code.message() : "does not exist");
   } else if (hasEnding(path, ".pcd")) {
     input.is_cloud = true;
   } else if (!hasEnding(path, ".png")) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // epcc_accuracy: the numbers and pictures of docs/research/accuracy.md.
-#include <iostream>
-
 #include "eval/accuracy/accuracy_command.h"
+#include "eval/program/command_line.h"
 
 int main(int argc, char** argv) {
-  return epcc::accuracyMain(argc, argv, std::cout, std::cerr);
+  return epcc::runMain("epcc_accuracy", epcc::accuracyMain, argc, argv);
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // epcc_eval: plane segmentation methods scored on labelled frames.
-#include <iostream>
-
 #include "eval/batch/eval_command.h"
+#include "eval/program/command_line.h"
 
 int main(int argc, char** argv) {
-  return epcc::evalMain(argc, argv, std::cout, std::cerr);
+  return epcc::runMain("epcc_eval", epcc::evalMain, argc, argv);
 }

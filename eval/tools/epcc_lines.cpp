@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // epcc_lines: line segments of laser scans.
-#include <iostream>
-
 #include "eval/lines/lines_command.h"
+#include "eval/program/command_line.h"
 
 int main(int argc, char** argv) {
-  return epcc::linesMain(argc, argv, std::cout, std::cerr);
+  return epcc::runMain("epcc_lines", epcc::linesMain, argc, argv);
 }

@@ -46,6 +46,21 @@ UncertainPose expectedAt(const Eigen::Isometry3d& camera) {
 const std::vector<MapPlane> kCorner = {mapPlane({0.0, 0.1, -1.0}, 3.0), mapPlane({1.0, 0.0, -0.2}, 1.5),
                                        mapPlane({0.0, -1.0, -0.1}, 1.2)};
 
+// Where planes of the map are hardly known, the products that it is made of are large.
+TEST(PoseAlignment, WhatPlanesSayIsSymmetricHoweverLittleIsKnownOfThem) {
+  for (const double variance : {1e-8, 1.0, 1e8, 1e16}) {
+    std::vector<MapPlane> planes = kCorner;
+    std::vector<SeenPlane> seen;
+    for (MapPlane& plane : planes) {
+      plane.covariance = variance * Matrix4::Identity();
+      seen.push_back(seenFrom(Eigen::Isometry3d::Identity(), plane.coefficients));
+    }
+    const AlignedPose aligned = alignPose(planes, seen, expectedAt(Eigen::Isometry3d::Identity()), 1.0);
+    const Matrix6 asymmetry = aligned.information - aligned.information.transpose();
+    EXPECT_LE(asymmetry.cwiseAbs().maxCoeff(), 1e-12 * aligned.information.cwiseAbs().maxCoeff()) << variance;
+  }
+}
+
 TEST(PoseAlignment, ThreePlanesSayWhereTheCameraIs) {
   Eigen::Matrix<double, 6, 1> motion;
   motion << 0.01, -0.02, 0.015, 0.02, -0.03, 0.01;

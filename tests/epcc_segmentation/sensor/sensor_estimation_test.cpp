@@ -20,6 +20,18 @@ using epcc::test::ratioAt;
 using epcc::test::room;
 using epcc::test::scaled;
 
+// An error of kilometres is none that a model may have: the numbers are no measurement.
+TEST(SensorEstimation, NumbersThatNoSensorMeasuresGiveTheGenericModel) {
+  std::mt19937 generator(1);
+  std::normal_distribution<float> normal;
+  std::vector<float> depth(160 * 120);
+  for (float& z : depth) z = 5e4f * (1.0f + 0.1f * normal(generator));
+  const epcc::SensorEstimate estimate =
+      epcc::estimateSensor(epcc::DepthFrame::fromDepth(depth.data(), epcc::test::testCamera()));
+  EXPECT_EQ(estimate.model().validate(), "");
+  EXPECT_EQ(estimate.blocks, 0U);
+}
+
 TEST(SensorEstimation, WhiteErrorIsWhiteAndItsSizeIsFound) {
   const SensorModel truth = SensorModel::axial(0.001, 0.002);
   for (auto frame : {headOnWall(), room()}) {  // white error is axial: walls of any slope show the same
