@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "eval/measures/frame_score.h"
+#include "eval/measures/measure_fields.h"
 
 namespace epcc::test {
 namespace {
@@ -26,6 +27,34 @@ TEST(FrameMeasures, PixelsWithoutDepthCountForNothing) {
   ASSERT_EQ(table.surfaceCount(), 1U);
   EXPECT_EQ(table.surfaceSize(1), 4);
   EXPECT_EQ(table.overlap(1, 1), 4);
+}
+
+TEST(FrameMeasures, OfSeveralFramesAddUp) {
+  LabelledFrame frame;
+  frame.depth = DepthImage(10, 1, 1.0F);
+  frame.labels = LabelImage(10, 1, 3);
+  PlaneSegmentation planes;
+  planes.width = 10;
+  planes.height = 1;
+  planes.labels.assign(10, 1);
+  planes.planes.resize(1);
+  FrameMeasures sum = measureFrame(frame, planes);
+  EXPECT_EQ(sum.paper.detected, 1);
+  sum += sum;
+  EXPECT_EQ(sum.paper.surfaces, 2);
+  EXPECT_EQ(sum.segcomp.correct, 2);
+  EXPECT_EQ(sum.instances.plane_pixels, 20);
+}
+
+TEST(MeasureFields, EachIsANumberOfItsOwn) {
+  FrameMeasures measures;
+  long number = 0;
+  for (const auto* fields : {&countFields(), &furtherFields()})
+    for (const MeasureField& field : *fields) field.of(measures) = ++number;
+  EXPECT_EQ(number, 18);
+  number = 0;
+  for (const auto* fields : {&countFields(), &furtherFields()})
+    for (const MeasureField& field : *fields) EXPECT_EQ(field.value(measures), ++number) << field.name;
 }
 
 FrameScore score(long correct, long surfaces, long clusters) {

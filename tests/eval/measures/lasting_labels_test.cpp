@@ -52,6 +52,17 @@ TEST(LastingRepeatability, ViewsMayBeginWithoutALabel) {
   EXPECT_EQ(result.repeated_pixels, 400);
 }
 
+TEST(LastingRepeatability, AddsUp) {
+  const LastingRegions regions = stripes({{0, 7}, {40, 3}});
+  LastingRepeatability sum = lastingRepeatability(itself(), regions, regions);
+  sum += lastingRepeatability(itself(), regions, stripes({{0, 7}, {40, 4}}));
+  EXPECT_EQ(sum.pairs, 2);
+  EXPECT_EQ(sum.shared, 2000);
+  EXPECT_EQ(sum.regions, 4);
+  EXPECT_EQ(sum.repeated, 3);
+  EXPECT_EQ(sum.repeated_pixels, 1400);
+}
+
 TEST(LastingRepeatability, SwappedLabelsAreNoRepetition) {
   EXPECT_EQ(lastingRepeatability(itself(), stripes({{0, 1}, {50, 2}}), stripes({{0, 2}, {50, 1}})).repeated, 0);
 }
