@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs what is missing, checks the sources, builds release, runs the tests under the sanitizers, fuzzes, and then runs every
-# test; ends with ctest's summary.
+# Installs what is missing, checks the sources, builds release, runs the tests under the sanitizers, fuzzes, and then
+# runs every test; ends with ctest's summary.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -9,19 +9,21 @@ stage() { printf '==== %s (after %d s)\n' "$1" "$SECONDS"; }
 
 stage "Packages"
 scripts/install_packages.sh clang-format-14 shellcheck valgrind python3-matplotlib doxygen mandoc \
-  g++-aarch64-linux-gnu clang-14 libclang-rt-14-dev
+  g++-aarch64-linux-gnu clang-14 libclang-rt-14-dev gcovr
 stage "Format, scripts, floors"
 scripts/check_format.sh
 scripts/check_scripts.sh
 scripts/check_floors.sh
 stage "Build"
 scripts/build.sh release
-stage "The core compiled for arm64"
+stage "Kernels compiled for arm64"
 scripts/check_arm64.sh
 stage "Instructions a frame"
 scripts/check_speed.sh || (($? == 77)) # not on every processor
-stage "Tests of the core, the PCL class and the data sets under AddressSanitizer and UndefinedBehaviorSanitizer"
+stage "Tests of core, PCL class, data sets and measures under AddressSanitizer and UndefinedBehaviorSanitizer"
 scripts/sanitize.sh asan
+stage "Lines that these tests have run"
+scripts/coverage.sh
 stage "Tests of all that has threads under ThreadSanitizer"
 scripts/sanitize.sh tsan
 stage "Fuzzing, 30 s a target"
