@@ -2,6 +2,8 @@
 // Single rules of what is joined: each test fails if one comparison is turned round (scripts/mutation_check.py).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "inverse_depth/direction_joining.h"
 #include "inverse_depth/plane_growing.h"
 #include "inverse_depth/region_contacts.h"
@@ -176,6 +178,58 @@ TEST(MergeRules, ARegionThatIsNotKnownJoinsOneThatIs) {
     EXPECT_EQ(merged.labels, (std::vector<std::int32_t>{1, 1})) << known;
     EXPECT_TRUE(merged.alike.empty() && merged.apart.empty()) << known;
   }
+}
+
+/// The labels 1, 2 and 3 of a view after S4, in their order.
+std::vector<std::int32_t> mergedLabels(const RenderedRoom& room, const epcc::InverseDepthParameters& parameters) {
+  const auto image = imageOf(room);
+  const auto labels = static_cast<std::int32_t>(*std::max_element(room.labels.begin(), room.labels.end()));
+  RegionMap map = regionsOf(image, room.labels, labels);
+  std::vector<epcc::ContactSearchMemory> memory;
+  epcc::RegionContacts contacts;
+  epcc::findContacts(image, 25, 3.0, map, memory, contacts);
+  epcc::RegionMerger merger;
+  merger.merge(contacts, parameters, kWhite, map);
+  std::vector<std::int32_t> result;
+  for (std::int32_t label = 1; label <= labels; ++label) {
+    const auto first = std::find(room.labels.begin(), room.labels.end(), label) - room.labels.begin();
+    result.push_back(map.labels[static_cast<std::size_t>(first)]);
+  }
+  return result;
+}
+
+// Wall, strip and wall, the strip 9 mm in front of the first and 18 mm in front of the second: the step between the
+// strip and the second is too high. Once the strip is part of the first wall its plane is nearly that wall's, and the
+// contact that was refused is judged again.
+TEST(MergeRules, WhatARegionThatHasGrownMeetsIsJudgedAgain) {
+  const auto walls = [](int first_columns) {
+    return changedWall(first_columns + 90, 120, [&](int, int column, float& depth) {
+      const int label = column < first_columns ? 1 : column < first_columns + 10 ? 2 : 3;
+      depth += label == 1 ? 0.0f : label == 2 ? -0.009f : 0.009f;
+      return label;
+    });
+  };
+  EXPECT_EQ(mergedLabels(walls(80), {}), (std::vector<std::int32_t>{1, 1, 1}));
+}
+
+// Two halves interleaved like combs, one so many metres behind the other: 6 mm are one standard deviation there.
+TEST(MergeRules, ARaggedBorderWidensTheToleranceUnlessThereIsAStep) {
+  const auto merge = [](float behind, double tolerance, double gain) {
+    const auto room = changedWall(160, 120, [&](int row, int column, float& depth) {
+      const int label = column < (row % 4 < 2 ? 60 : 100) ? 1 : 2;
+      if (label == 2) depth += behind;
+      return label;
+    });
+    epcc::InverseDepthParameters parameters;
+    parameters.region_tolerance = tolerance;
+    parameters.expert.merging.fragment_tolerance = 0.0;
+    parameters.expert.merging.max_ragged_gain = gain;
+    return mergedLabels(room, parameters).back() == 1;
+  };
+  EXPECT_TRUE(merge(0.006f, 0.35, 2.0));
+  EXPECT_FALSE(merge(0.006f, 0.35, 1.0)) << "only for the ragged border";
+  EXPECT_FALSE(merge(0.012f, 0.7, 2.0)) << "a step";
+  EXPECT_TRUE(merge(0.012f, 1.4, 1.0)) << "alike without any gain";
 }
 
 }  // namespace
