@@ -75,6 +75,9 @@ class Tracker {
   std::vector<PlaneTrack> tracks() {
     return tracker_.run([](PlaneTracker& tracker) { return tracker.tracks(); });
   }
+  std::optional<std::int32_t> labelOf(int track) {
+    return tracker_.run([track](PlaneTracker& tracker) { return tracker.labelOf(track); });
+  }
   double errorScale() {
     return tracker_.run([](PlaneTracker& tracker) { return tracker.errorScale(); });
   }
@@ -140,6 +143,9 @@ A view on the result's memory, without a copy.)")
       .def_property_readonly("label_of_plane", &labelOfPlane,
                              "Of each of segmentation.planes the label that lasts, int32, 0 if it has none yet.")
       .def_property_readonly(
+          "track_of_plane", [](const Tracked& t) { return t.data.track_of_plane; },
+          "Number of the track of each of segmentation.planes: PlaneTracker.label_of tells its label later.")
+      .def_property_readonly(
           "segmentation", [](Tracked& t) -> Segmentation& { return *t.segmentation; },
           "The PlaneSegmentation of this frame alone, in the camera's frame.")
       .def_property_readonly(
@@ -193,6 +199,9 @@ time: seconds.
 InputError, and it is as if the frame had not been there, for what cannot be used.)")
       .def_property_readonly("tracks", &Tracker::tracks,
                              "All tracks that had a label, a list of PlaneTrack by label, ended ones included.")
+      .def("label_of", &Tracker::labelOf, "track"_a, R"(Label that a track has by now, by its number.
+
+That of another where it turned out to be part of one, 0 if it ended without any, None while it is not confirmed.)")
       .def_property_readonly("error_scale", &Tracker::errorScale,
                              "How many times the covariance of planes their error has been so far, at least 1.");
 }

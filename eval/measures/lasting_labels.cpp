@@ -14,10 +14,6 @@ constexpr std::size_t kWatchedSurfaces = 5;
 constexpr double kChi2Limit = 7.814728;  // 95 % of chi^2 of three degrees of freedom
 constexpr double kMostCounted = 1e6;
 
-int labelNow(const LabelNow& now, int label) {
-  return label > 0 && now ? now(label) : label;
-}
-
 /// Shared pixels by labels: of the first frame, of the second, and of both.
 struct PairCounts {
   std::map<int, long> from, to;
@@ -25,9 +21,7 @@ struct PairCounts {
   long shared = 0;
 };
 
-PairCounts countPairs(const std::vector<std::int32_t>& shared, const LastingRegions& from, const LastingRegions& to,
-                      const LabelNow& now) {
-  std::map<std::pair<int, int>, long> raw;
+PairCounts countPairs(const std::vector<std::int32_t>& shared, const LastingRegions& from, const LastingRegions& to) {
   long* count = nullptr;  // neighbours mostly have the same pair of labels
   std::pair<int, int> last;
   PairCounts counts;
@@ -35,24 +29,20 @@ PairCounts countPairs(const std::vector<std::int32_t>& shared, const LastingRegi
     if (shared[i] < 0) continue;
     ++counts.shared;
     const std::pair<int, int> pair(from.labels.data[i], to.labels.data[static_cast<std::size_t>(shared[i])]);
-    if (count == nullptr || pair != last) count = &raw[pair];
+    if (count == nullptr || pair != last) count = &counts.both[pair];
     last = pair;
     ++*count;
   }
-  for (const auto& [pair, pixels] : raw) {
-    const std::pair<int, int> known(labelNow(now, pair.first), labelNow(now, pair.second));
-    counts.both[known] += pixels;
-    counts.from[known.first] += pixels;
-    counts.to[known.second] += pixels;
+  for (const auto& [pair, pixels] : counts.both) {
+    counts.from[pair.first] += pixels;
+    counts.to[pair.second] += pixels;
   }
   return counts;
 }
 
-/// Labels that are flat, as they are called now; one that several became is flat if any of them was.
-std::map<int, bool> flatNow(const LastingRegions& regions, const LabelNow& now) {
-  std::map<int, bool> flat;
-  for (const auto& [label, is_flat] : regions.flat) flat[labelNow(now, label)] |= is_flat;
-  return flat;
+bool isFlat(const LastingRegions& regions, int label) {
+  const auto found = regions.flat.find(label);
+  return found != regions.flat.end() && found->second;
 }
 
 /// The label with the most pixels, the smallest of equal ones; `most` pixels.
@@ -99,17 +89,16 @@ LastingRepeatability& LastingRepeatability::operator+=(const LastingRepeatabilit
 }
 
 LastingRepeatability lastingRepeatability(const std::vector<std::int32_t>& shared, const LastingRegions& from,
-                                          const LastingRegions& to, const LabelNow& now) {
-  const PairCounts counts = countPairs(shared, from, to, now);
-  std::map<int, bool> flat_from = flatNow(from, now), flat_to = flatNow(to, now);
+                                          const LastingRegions& to) {
+  const PairCounts counts = countPairs(shared, from, to);
   LastingRepeatability result;
   result.pairs = 1;
   result.shared = counts.shared;
   for (const auto& [label, pixels] : counts.from) {
-    if (label == 0 || pixels < kMinSharedPixels || !flat_from[label]) continue;
+    if (label == 0 || pixels < kMinSharedPixels || !isFlat(from, label)) continue;
     ++result.regions;
     const auto both = counts.both.find({label, label});
-    if (both == counts.both.end() || !flat_to[label]) continue;
+    if (both == counts.both.end() || !isFlat(to, label)) continue;
     const long overlap = 100 * both->second;
     if (overlap < kRepeatedPercent * pixels || overlap < kRepeatedPercent * counts.to.at(label)) continue;
     ++result.repeated;
@@ -138,8 +127,8 @@ void SwitchCounter::add(const LabelImage& truth, const LabelImage& labels, doubl
 }
 
 LabelSwitches labelSwitches(const std::vector<std::int32_t>& shared, const LastingRegions& from,
-                            const LastingRegions& to, double seconds, const LabelNow& now) {
-  const PairCounts counts = countPairs(shared, from, to, now);
+                            const LastingRegions& to, double seconds) {
+  const PairCounts counts = countPairs(shared, from, to);
   std::vector<std::pair<long, int>> largest;
   for (const auto& [label, pixels] : counts.from)
     if (label != 0 && pixels >= kMinSharedPixels) largest.emplace_back(-pixels, label);

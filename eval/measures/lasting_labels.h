@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -20,9 +19,6 @@ struct LastingRegions {
 /// Regions of single planes with the lasting label of each plane, 0 for those that have none yet.
 LastingRegions lastingRegions(const SeenRegions& regions, const std::vector<std::int32_t>& label_of_plane);
 
-/// Says which label one carries on as: for tracks that turned out to be part of another. Labels as they are: {}.
-using LabelNow = std::function<int(int)>;
-
 /// Repeatability with equal labels: as struct Repeatability, but a region is repeated only if its partner has the same
 /// label.
 struct LastingRepeatability {
@@ -35,9 +31,9 @@ struct LastingRepeatability {
   LastingRepeatability& operator+=(const LastingRepeatability& other);
 };
 
-/// One pair; `shared` is sharedPixels(). Both frames' labels are taken as `now` says.
+/// One pair; `shared` is sharedPixels().
 LastingRepeatability lastingRepeatability(const std::vector<std::int32_t>& shared, const LastingRegions& from,
-                                          const LastingRegions& to, const LabelNow& now = {});
+                                          const LastingRegions& to);
 
 /// How often surfaces change their label.
 struct LabelSwitches {
@@ -70,7 +66,7 @@ class SwitchCounter {
 /// in the first frame, at least 200, stands for a surface; it has switched if another label holds most of those pixels
 /// in the second. Where most of them have no label there nothing was watched, else `seconds` were.
 LabelSwitches labelSwitches(const std::vector<std::int32_t>& shared, const LastingRegions& from,
-                            const LastingRegions& to, double seconds, const LabelNow& now = {});
+                            const LastingRegions& to, double seconds);
 
 /// Normalised squared errors of planes, three degrees of freedom: 3 on average and 95 % below 7.81 if the covariances
 /// are right. Memory does not grow with their number.

@@ -22,7 +22,7 @@ struct LagMeasures {
   Repeatability single;             ///< frames segmented one by one
   Repeatability tracked;            ///< planes of the frames of the run, whatever their labels
   LastingRepeatability as_written;  ///< with equal labels
-  LastingRepeatability as_known;    ///< labels as they are called at the time of the later frame
+  LastingRepeatability as_known;    ///< labels as they are known at the time of the later frame
 };
 
 /// Takes the frames of a run that have poses.
@@ -30,9 +30,9 @@ class TrackMeasures {
  public:
   TrackMeasures(const TrackOptions& options, const std::optional<SensorModel>& sensor);
 
-  /// `tracks` are those at this time. Counts nothing of a frame without a pose. InputError if the frame cannot be
-  /// segmented on its own (--compare-single).
-  void add(const SequenceFrame& read, const TrackedFrame& tracked, const std::vector<PlaneTrack>& tracks);
+  /// The frame that the tracker has just taken. Counts nothing of a frame without a pose. InputError if the frame
+  /// cannot be segmented on its own (--compare-single).
+  void add(const SequenceFrame& read, const TrackedFrame& tracked, const PlaneTracker& tracker);
 
   const std::vector<LagMeasures>& lags() const { return lags_; }
   long frames() const { return frames_; }
@@ -46,12 +46,14 @@ class TrackMeasures {
     double time = 0.0;
     PosedView view;
     SeenRegions regions;
-    LastingRegions lasting;
+    std::vector<int> track_of_plane;
+    LastingRegions lasting;  ///< by the labels that its planes had then
     std::optional<SeenRegions> single;
   };
 
-  void compare(const Seen& earlier, const Seen& later, LagMeasures& sums, const LabelNow& now);
-  void countSwitches(const Seen& later, const LabelNow& now);
+  static LastingRegions asKnown(const Seen& seen, const PlaneTracker& tracker);
+  void compare(const Seen& earlier, const Seen& later, LagMeasures& sums, const PlaneTracker& tracker);
+  void countSwitches(const Seen& later, const PlaneTracker& tracker);
 
   bool compare_single_;
   std::optional<SensorModel> sensor_;

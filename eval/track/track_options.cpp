@@ -143,8 +143,10 @@ void addOutputOptions(CLI::App& app, TrackOptions& options, RawOptions& raw) {
       ->required()
       ->check(checkPath)
       ->group("Output");
-  app.add_flag("--online", options.online,
-               "Labels stay as they were at the time: one that turns out to be part of another is not rewritten")
+  app.add_flag(
+         "--online", options.online,
+         "Labels stay as they were at the time: none before a plane is confirmed, and one that turns out to be part "
+         "of another is not rewritten")
       ->group("Output");
   app.add_flag("--overlays", options.overlays, "Also NAME_overlay.png, the labels on the depth; reads the frames again")
       ->group("Output");

@@ -17,6 +17,7 @@
 #include "eval/program/progress_line.h"
 #include "eval/report/table.h"
 #include "eval/track/track_files.h"
+#include "eval/track/waiting_labels.h"
 
 namespace epcc {
 namespace {
@@ -66,16 +67,16 @@ class TrackRun {
                        "the camera was lost here; this frame and those behind it are left out");
     map_.add(read.frame, tracked_);
     const double map_ms = lapMs(start);
-    writeLastingLabels((std::filesystem::path(options_.out) / (read.frame.name + "_labels.png")).string(),
-                       read.frame.depth.width, read.frame.depth.height, tracked_.labels);
+    writeLabels(read.frame);
     remember(read, i, track_ms);
     const double write_ms = lapMs(start);
     writeTimes(read, track_ms, load_ms, map_ms, write_ms);
-    if (result.measures) result.measures->add(read, tracked_, tracker_->tracks());
+    if (result.measures) result.measures->add(read, tracked_, *tracker_);
   }
 
   void finish() {
     if (!tracker_) return;
+    waiting_.writeAll(*tracker_);
     result.tracks = map_.tracks(tracker_->tracks());
     result.error_scale = tracker_->errorScale();
   }
@@ -92,6 +93,14 @@ class TrackRun {
     result.sensor = sensor.is_measured ? "auto" : sensor.name;
     tracker_.emplace(options_.tracker, options_.parameters, model);
     if (options_.measure) result.measures = std::make_unique<TrackMeasures>(options_, model);
+  }
+
+  void writeLabels(const LabelledFrame& frame) {
+    const std::string path = (std::filesystem::path(options_.out) / (frame.name + "_labels.png")).string();
+    if (options_.online)
+      writeLastingLabels(path, frame.depth.width, frame.depth.height, tracked_.labels);
+    else
+      waiting_.add(path, frame.depth.width, tracked_, *tracker_);
   }
 
   void remember(const SequenceFrame& read, std::size_t i, double track_ms) {
@@ -124,6 +133,7 @@ class TrackRun {
   TrackMap map_;
   std::optional<PlaneTracker> tracker_;
   TrackedFrame tracked_;
+  WaitingLabels waiting_;
 };
 
 }  // namespace

@@ -22,6 +22,8 @@ def test_each_surface_has_one_label(camera):
     tracker = epcc.PlaneTracker(sensor=SENSOR)
     frames = list(tracked_room(camera, 12, tracker))
     assert not frames[0].labels.any(), "no label before the third frame"
+    assert sorted(tracker.label_of(track) for track in frames[0].track_of_plane) == [1, 2, 3]
+    assert tracker.label_of(1000) is None
     for frame in frames[3:]:
         assert frame.labels.shape == (240, 320) and frame.labels.dtype == numpy.int32
         assert set(numpy.unique(frame.labels)) <= {0, 1, 2, 3}

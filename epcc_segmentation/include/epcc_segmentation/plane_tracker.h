@@ -75,6 +75,9 @@ struct TrackedFrame {
   /// Lasting label of each of its planes, 0 if it has none yet. Two planes have the same one where the frame shows
   /// pieces of one surface, or where it is the frame that their tracks were merged in.
   std::vector<std::int32_t> label_of_plane;
+  /// Number of the track of each of its planes, counted from 0 as they are born: PlaneTracker::labelOf() tells later
+  /// which label those have got that have none yet.
+  std::vector<int> track_of_plane;
   /// Row-major, lasting labels; 0 none.
   std::vector<std::int32_t> labels;
   /// The camera by the given or expected pose and the planes together.
@@ -114,6 +117,9 @@ class EPCC_CORE_EXPORT PlaneTracker {
 
   /// All tracks that had a label, in the order of their labels, ended ones included. Those out of sight go on.
   std::vector<PlaneTrack> tracks() const;
+  /// The label that the track of this number has by now, that of another where it turned out to be part of one; 0 if
+  /// it ended without any. Nothing while it is not confirmed, and for a number that no frame had since the map began.
+  std::optional<std::int32_t> labelOf(int track) const noexcept;
   /// How the last track() ended; Ok before the first.
   Status status() const noexcept;
   /// What was wrong with the last frame, in words; empty if nothing was.

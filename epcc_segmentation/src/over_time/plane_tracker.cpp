@@ -80,6 +80,14 @@ std::vector<PlaneTrack> PlaneTracker::tracks() const {
   return list;
 }
 
+std::optional<std::int32_t> PlaneTracker::labelOf(int track) const noexcept {
+  const MapTracks& tracks = state_->tracks;
+  if (track < 0 || static_cast<std::size_t>(track) >= tracks.all().size()) return std::nullopt;
+  const TrackState& last = tracks.at(tracks.last(track));
+  if (last.label == 0 && last.end == TrackEnd::None) return std::nullopt;
+  return last.label;
+}
+
 Status PlaneTracker::status() const noexcept {
   return state_->status;
 }

@@ -222,6 +222,7 @@ void PlaneTracker::State::label(TrackedFrame& result) const {
     if (track >= 0) lasting[k + 1] = tracks.at(track).label;
   }
   result.label_of_plane.assign(lasting.begin() + 1, lasting.end());
+  result.track_of_plane = track_of_plane;
   const std::vector<std::int32_t>& labels = result.segmentation.labels;
   result.labels.resize(labels.size());
   relabelPixels(labels.data(), labels.size(), lasting.data(), result.labels.data());

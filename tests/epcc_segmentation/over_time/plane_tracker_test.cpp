@@ -86,6 +86,33 @@ TEST(PlaneTracker, EachSurfaceHasOneLabelForLife) {
   }
 }
 
+TEST(PlaneTracker, TellsLaterWhatPlanesWithoutALabelBecame) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame first, tracked;
+  EXPECT_FALSE(tracker.labelOf(0)) << "no frame yet";
+  const test::RenderedRoom room = roomFrom(cameraAt(0), 0);
+  ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), 0.0, first)) << tracker.error();
+  ASSERT_EQ(first.track_of_plane.size(), first.segmentation.planes.size());
+  for (const int track : first.track_of_plane) EXPECT_FALSE(tracker.labelOf(track));
+  for (int k = 1; k < 4; ++k)
+    ASSERT_TRUE(tracker.track(roomFrom(cameraAt(k), 1U).frame(), Isometry3(cameraAt(k)), k / 30.0, tracked));
+  std::set<std::int32_t> labels(tracked.label_of_plane.begin(), tracked.label_of_plane.end());
+  for (const int track : first.track_of_plane) EXPECT_EQ(labels.erase(tracker.labelOf(track).value_or(0)), 1U);
+  EXPECT_FALSE(tracker.labelOf(-1));
+  EXPECT_FALSE(tracker.labelOf(1000));
+}
+
+TEST(PlaneTracker, WhatIsNotSeenAgainEndsWithoutALabel) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame first, next;
+  const Isometry3 camera = Isometry3::Identity();
+  ASSERT_TRUE(tracker.track(roomFrom(cameraAt(0), 0).frame(), camera, 0.0, first));
+  ASSERT_FALSE(first.track_of_plane.empty());
+  const std::vector<float> nothing(first.labels.size(), 0.0F);
+  ASSERT_TRUE(tracker.track(DepthFrame::fromDepth(nothing.data(), test::testCamera()), camera, 0.1, next));
+  for (const int track : first.track_of_plane) EXPECT_EQ(tracker.labelOf(track).value_or(-1), 0);
+}
+
 TEST(PlaneTracker, WithoutPosesTheCameraIsFoundByThePlanes) {
   PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
   TrackedFrame tracked;

@@ -78,15 +78,6 @@ TEST(LastingRepeatability, KeepsTheRulesOfRepeatability) {
   EXPECT_EQ(lastingRepeatability(few, stripes({{0, 1}}), stripes({{0, 1}})).regions, 0);
 }
 
-TEST(LastingRepeatability, KnowsWhatBecamePartOfWhat) {
-  const LabelNow now = [](int label) { return label == 2 ? 1 : label; };
-  const LastingRegions from = stripes({{0, 1}, {50, 2}}), to = stripes({{0, 1}});
-  EXPECT_EQ(lastingRepeatability(itself(), from, to).repeated, 0);
-  const LastingRepeatability known = lastingRepeatability(itself(), from, to, now);
-  EXPECT_EQ(known.regions, 1);
-  EXPECT_EQ(known.repeated_pixels, 1000);
-}
-
 TEST(LastingRegions, GivesPlanesTheirLabels) {
   SeenRegions regions;
   regions.labels = LabelImage(4, 1);
@@ -142,8 +133,6 @@ TEST(LabelSwitches, WatchesTheFiveLargest) {
       labelSwitches(itself(), stripes(from), stripes({{0, 8}, {30, 2}, {50, 0}, {70, 4}, {75, 9}}), 1.5);
   EXPECT_EQ(changed.switches, 2) << "1 to 8 and 4 to 9; 3 has no label there";
   EXPECT_DOUBLE_EQ(changed.seconds, 4.5);
-  const LabelNow now = [](int label) { return label == 1 ? 8 : label; };
-  EXPECT_EQ(labelSwitches(itself(), stripes({{0, 1}}), stripes({{0, 8}}), 1.0, now).switches, 0);
 }
 
 TEST(SquaredErrors, OfAFewValues) {

@@ -140,6 +140,24 @@ TEST_F(TrackCommand, LargeSurfacesKeepTheirLabel) {
   EXPECT_NE(labels[1], labels[2]);
 }
 
+// Planes are confirmed in their third frame.
+TEST_F(TrackCommand, FramesInWhichAPlaneHadNoLabelYetGetItLater) {
+  outputOf({frames(), "--out", path("o")});
+  outputOf({frames(), "--online", "--out", path("online")});
+  const auto image = [&](const char* folder, std::size_t frame) {
+    return readGray16(path((fs::path(folder) / (frameName(frame) + "_labels.png")).string()));
+  };
+  const LabelImage known = image("o", 0), third = image("o", 2);
+  const auto labelled = [](const LabelImage& labels) {
+    return std::count_if(labels.data.begin(), labels.data.end(), [](std::uint16_t label) { return label > 0; });
+  };
+  EXPECT_GT(labelled(known), labelled(third) * 98 / 100);
+  for (const std::uint16_t label : known.data) EXPECT_LE(label, 9);
+  EXPECT_EQ(labelled(image("online", 0)), 0);
+  EXPECT_EQ(labelled(image("online", 1)), 0);
+  EXPECT_EQ(image("online", 20).data, image("o", 20).data);
+}
+
 TEST_F(TrackCommand, TheMapIsTrue) {
   outputOf({frames(), "--out", path("o")});
   const nlohmann::json list = tracks("o");
