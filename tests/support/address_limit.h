@@ -7,11 +7,10 @@
 #include <cstdint>
 #include <fstream>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define EPCC_NEED_ADDRESS_LIMIT() GTEST_SKIP() << "a sanitizer needs more address space than the test leaves"
-#else
-#define EPCC_NEED_ADDRESS_LIMIT()
-#endif
+#include "tests/support/sanitized.h"
+
+#define EPCC_NEED_ADDRESS_LIMIT() \
+  if (epcc::test::kIsSanitized) GTEST_SKIP() << "a sanitizer needs more address space than the test leaves"
 
 namespace epcc::test {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The four scenes: number of surfaces, exact labels and coefficients, clutter, seeds, other cameras.
 #include "datasets/rendered/scene.h"
+#include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,7 @@ double worstDistance(const LabelledFrame& frame) {
 class EveryScene : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryScene, ShowsTheSameNumberOfSurfacesForFiftySeeds) {
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::repeats(50)); ++seed) {
     const LabelledFrame frame = renderScene(GetParam(), seed);
     auto counts = labelCounts(frame);
     counts.erase(0);

@@ -11,14 +11,11 @@
 #include <string>
 
 #include "tests/epcc_segmentation/properties/property_case.h"
+#include "tests/support/sanitized.h"
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr const char* kRuns = "40";
-#else
-constexpr const char* kRuns = "400";
-#endif
+constexpr int kRuns = epcc::test::repeats(400);
 constexpr const char* kSeed = "17";  // the same in each run: a test that fails fails again
 
 constexpr int kFatal[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
@@ -41,8 +38,8 @@ std::string setting(const char* name, const char* otherwise) {
 /// rapidcheck reads its settings when the first property is tried.
 class PropertyRuns : public testing::Environment {
   void SetUp() override {
-    const std::string params =
-        "seed=" + setting("EPCC_PROPERTY_SEED", kSeed) + " max_success=" + setting("EPCC_PROPERTY_RUNS", kRuns);
+    const std::string params = "seed=" + setting("EPCC_PROPERTY_SEED", kSeed) +
+                               " max_success=" + setting("EPCC_PROPERTY_RUNS", std::to_string(kRuns).c_str());
     ::setenv("RC_PARAMS", params.c_str(), 0);
     struct sigaction action = {};
     action.sa_handler = tellCase;
