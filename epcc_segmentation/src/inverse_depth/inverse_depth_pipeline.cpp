@@ -199,12 +199,15 @@ bool InverseDepthPipeline::takeFound() {
   return true;
 }
 
-void InverseDepthPipeline::mergeRegions() {
-  if (!searches_) return;
+int InverseDepthPipeline::bridge() const {
   const InverseDepthParameters::Merging& merging = grid_parameters_.expert.merging;
   const double blotch = merging.bridge_samples * grid_sensor_.pixelsPerLineSample();
-  const int bridge = std::max(merging.min_bridge_pixels, static_cast<int>(blotch));
-  findContacts(*image_, bridge, grid_parameters_.expert.refinement.max_residual, map_, contact_search_, contacts_,
+  return std::max(merging.min_bridge_pixels, static_cast<int>(blotch));
+}
+
+void InverseDepthPipeline::mergeRegions() {
+  if (!searches_) return;
+  findContacts(*image_, bridge(), grid_parameters_.expert.refinement.max_residual, map_, contact_search_, contacts_,
                parameters_.threads);
   merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_, parameters_.threads);
 }
@@ -224,7 +227,7 @@ void InverseDepthPipeline::rejectClutter() {
 
 void InverseDepthPipeline::joinOccluded() {
   if (!searches_) return;
-  findOccludedContacts(*image_, grid_parameters_.expert.merging.max_occluder,
+  findOccludedContacts(*image_, bridge(), grid_parameters_.expert.merging.max_occluder,
                        grid_parameters_.expert.refinement.max_residual, map_, occlusion_, contacts_,
                        parameters_.threads);
   merger_.merge(contacts_, grid_parameters_, grid_sensor_, map_, parameters_.threads);

@@ -80,6 +80,8 @@ class InverseDepthPipeline {
   void segmentNothing();
   bool waitForMore(const KnownPlanes& known);
   bool takeFound();
+  /// The widest gap across which regions are neighbours, in samples.
+  int bridge() const;
 
   Parameters parameters_;
   SensorModel sensor_;

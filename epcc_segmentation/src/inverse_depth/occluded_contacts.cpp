@@ -133,7 +133,7 @@ class OcclusionWalk {
     const bool longer = direction > 0 ? seen <= length : seen < length;
     if (!longer || hidden > max_occluder_ * (length + seen)) return;
     const Pixel a = pixelAt(edge), b = pixelAt(i);
-    places_->push_back({a.row, a.column, b.row, b.column});
+    places_->push_back({a.row, a.column, b.row, b.column, hidden});
   }
 
   Place placeOf(int i, const OcclusionMemory::Plane& plane) const {
@@ -180,8 +180,8 @@ void sortBegins(int lines, OcclusionMemory& memory) {
 
 }  // namespace
 
-void findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
-                          OcclusionMemory& memory, RegionContacts& contacts, int threads) {
+void findOccludedContacts(const InverseDepthImage& image, int bridge, double max_occluder, double residual,
+                          const RegionMap& map, OcclusionMemory& memory, RegionContacts& contacts, int threads) {
   memory.planes.assign(1, OcclusionMemory::Plane());
   for (const PlaneMoments& region : map.regions) {
     const RegionPlane plane(region);
@@ -201,15 +201,20 @@ void findOccludedContacts(const InverseDepthImage& image, double max_occluder, d
   sortBegins(columns, memory);
   walk(columns, &OcclusionWalk::walkColumns);
 
+  // Of regions that touch, a few pixels of the one along the border are in front of the other's plane if the error is
+  // as large as the step between them. That is no occluder, and S4 has judged them.
   contacts.clear();
-  const auto add = [&](const std::vector<OcclusionMemory::Place>& places) {
-    for (const auto& [row, column, other_row, other_column] : places) {
+  const auto add = [&](const std::vector<OcclusionMemory::Place>& places, bool wide) {
+    for (const auto& [row, column, other_row, other_column, hidden] : places) {
+      if ((hidden > bridge) != wide) continue;
       const RegionPair pair(map.labels[image.index(row, column)], map.labels[image.index(other_row, other_column)]);
-      contacts[pair].add(image, row, column, other_row, other_column);
+      if (wide || contacts.find(pair) != nullptr) contacts[pair].add(image, row, column, other_row, other_column);
     }
   };
-  for (const OcclusionMemory::Band& band : memory.bands) add(band.on_rows);
-  for (const OcclusionMemory::Band& band : memory.bands) add(band.on_columns);
+  for (const bool wide : {true, false}) {
+    for (const OcclusionMemory::Band& band : memory.bands) add(band.on_rows, wide);
+    for (const OcclusionMemory::Band& band : memory.bands) add(band.on_columns, wide);
+  }
 }
 
 }  // namespace epcc

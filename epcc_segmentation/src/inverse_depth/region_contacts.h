@@ -87,6 +87,7 @@ struct OcclusionMemory {
   };
   struct Place {
     int row, column, other_row, other_column;
+    int hidden;  ///< pixels between the two
   };
   /// A band of lines.
   struct Band {
@@ -105,8 +106,9 @@ struct OcclusionMemory {
 
 /// Regions that face each other on a row or column across something nearer than the plane of the longer run by more
 /// than `residual` sigma, which takes no more pixels than max_occluder times those of the two, with nothing farther
-/// away between them. They may be one surface behind an occluder.
-void findOccludedContacts(const InverseDepthImage& image, double max_occluder, double residual, const RegionMap& map,
-                          OcclusionMemory& memory, RegionContacts& contacts, int threads = 1);
+/// away between them. They may be one surface behind an occluder. Across at most `bridge` pixels they are neighbours,
+/// as findContacts() has them: such places count too, but only of regions that face each other across more somewhere.
+void findOccludedContacts(const InverseDepthImage& image, int bridge, double max_occluder, double residual,
+                          const RegionMap& map, OcclusionMemory& memory, RegionContacts& contacts, int threads = 1);
 
 }  // namespace epcc

@@ -292,7 +292,7 @@ int occludedContacts(const RenderedRoom& room) {
   const auto map = regionsOf(image, room.labels, 2);
   epcc::OcclusionMemory memory;
   epcc::RegionContacts contacts;
-  epcc::findOccludedContacts(image, 0.5, 3.0, map, memory, contacts);
+  epcc::findOccludedContacts(image, 5, 0.5, 3.0, map, memory, contacts);
   const epcc::Contact* found = contacts.find(RegionPair(2, 1));
   return found == nullptr ? 0 : found->count;
 }
@@ -326,7 +326,7 @@ TEST(OccludedContacts, TwoPartsOfAWallBecomeOne) {
   auto map = regionsOf(image, room.labels, 2);
   epcc::OcclusionMemory memory;
   epcc::RegionContacts contacts;
-  epcc::findOccludedContacts(image, 0.5, 3.0, map, memory, contacts);
+  epcc::findOccludedContacts(image, 5, 0.5, 3.0, map, memory, contacts);
   epcc::RegionMerger().merge(contacts, epcc::InverseDepthParameters(), kWhite, map);
   EXPECT_EQ(map.regions[0].n, 140.0 * 120.0);
   EXPECT_EQ(map.regions[1].n, 0.0);

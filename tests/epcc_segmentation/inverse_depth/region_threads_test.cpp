@@ -146,8 +146,8 @@ TEST(RegionThreads, OccludedContacts) {
     const RegionMap map = scene.map(1);
     epcc::OcclusionMemory memory;
     epcc::RegionContacts contacts, expected;
-    epcc::findOccludedContacts(scene.image, 0.5, 3.0, map, memory, expected, 1);
-    epcc::findOccludedContacts(scene.image, 0.5, 3.0, map, memory, contacts, threads);
+    epcc::findOccludedContacts(scene.image, 5, 0.5, 3.0, map, memory, expected, 1);
+    epcc::findOccludedContacts(scene.image, 5, 0.5, 3.0, map, memory, contacts, threads);
     expectSame(contacts, expected);
     any = any || !contacts.contacts.empty();
   });
