@@ -18,6 +18,10 @@ constexpr double kLowQuantile = 0.2;
 constexpr double kClutteredBin = 1.5;    // in medians of deviation / sigma over the bins
 constexpr double kClutteredBlock = 2.0;  // in deviations of its bin
 constexpr double kClutterGuard = 1.1;
+// Blocks agree if their median is no larger, in low quantiles, than the chance of three degrees of freedom makes it:
+// the residuals of a block have more. A bin of fewer blocks says nothing, for its low quantile is that of one or two.
+constexpr double kAgree = 1.5;
+constexpr std::size_t kFewestThatAgree = 10;
 constexpr double kNearby = 0.2;  // octaves
 
 }  // namespace
@@ -74,7 +78,9 @@ void DepthBins::findDeviations(const SigmaShape& sigma, double axial) {
     values_.clear();
     for (std::size_t i = bin.begin; i < bin.end; ++i)
       values_.push_back(block(i).deviationAlong(axial) / sigma(block(i).depth));
-    bin.deviation = quantile(values_, kLowQuantile) * sigma(bin.depth);
+    const double low = quantile(values_, kLowQuantile);
+    bin.deviation = low * sigma(bin.depth);
+    bin.agrees = bin.end - bin.begin >= kFewestThatAgree && quantile(values_, 0.5) <= kAgree * low;
   }
 }
 
@@ -107,6 +113,7 @@ std::array<double, kScales - 1> DepthBins::kept(const SigmaShape& sigma, double 
 void DepthBins::guardAgainstClutter(const std::vector<BlockResiduals>& halves, double axial, double kept) {
   const double nearby = std::exp2(kNearby);
   for (DepthBin& bin : bins_) {
+    if (bin.agrees) continue;
     values_.clear();
     for (const BlockResiduals& half : halves)
       if (half.depth < bin.depth * nearby && half.depth * nearby > bin.depth)

@@ -22,6 +22,7 @@ struct DepthBin {
   double depth = 0.0;      ///< geometric mean, metres
   double deviation = 0.0;  ///< low quantile of the blocks' residuals, metres: clutter can only make them larger
   double step = 0.0;       ///< median of the blocks' depth steps, metres
+  bool agrees = false;     ///< the deviation is that of most blocks
   std::size_t begin = 0;   ///< of its blocks in the order of depth
   std::size_t end = 0;
 
@@ -40,14 +41,15 @@ class DepthBins {
   /// Blocks in all bins.
   std::size_t blockCount() const;
 
-  /// Each bin's deviation; the blocks' depths differ within it, and are made up for by `sigma`. axial: see
-  /// BlockResiduals::deviationAlong.
+  /// Each bin's deviation, and whether most of its blocks agree with it; the blocks' depths differ within it, and are
+  /// made up for by `sigma`. axial: see BlockResiduals::deviationAlong.
   void findDeviations(const SigmaShape& sigma, double axial);
   /// Median of BlockResiduals::kept of the blocks with at most twice their bin's deviation. Bins full of clutter are
   /// left out. Not without bins.
   std::array<double, kScales - 1> kept(const SigmaShape& sigma, double axial);
-  /// Blocks of half the size fit between the clutter: each bin's deviation is lowered to at most 1.1 times what such
-  /// blocks show at its depth. kept: share of the mean square in one of the bins' blocks that is left in theirs.
+  /// Blocks of half the size fit between the clutter: the deviation of each bin whose blocks do not agree is lowered to
+  /// at most 1.1 times what such blocks show at its depth. kept: share of the mean square in one of the bins' blocks
+  /// that is left in theirs.
   void guardAgainstClutter(const std::vector<BlockResiduals>& halves, double axial, double kept);
 
  private:
