@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <string>
 
+#include "data_dir.h"
+
 namespace epcc::test {
 
-/// Folder of a real data set, for example "kinect".
+/// Folder of a real data set, for example "kinect", or a file below the folder of all of them.
 inline std::string realFolder(const std::string& name) {
   return std::string(EPCC_DATA_DIR) + "/" + name;
 }

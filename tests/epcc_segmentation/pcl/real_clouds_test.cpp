@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "epcc_segmentation/pcl/epcc_segmentation.h"
+#include "tests/support/real_frames.h"
 
 namespace epcc {
 namespace {
@@ -32,7 +33,7 @@ class RealClouds : public ::testing::TestWithParam<Case> {};
 
 TEST_P(RealClouds, GivePlanesThatFitTheirPoints) {
   const Case& c = GetParam();
-  const std::string file = std::string(EPCC_DATA_DIR) + "/" + c.file;
+  const std::string file = test::realFolder(c.file);
   if (!std::ifstream(file).good()) GTEST_SKIP() << "real cloud not found: " << file << " (cmake -DEPCC_DATA_DIR=...)";
   const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
   ASSERT_EQ(pcl::io::loadPCDFile(file, *cloud), 0);
