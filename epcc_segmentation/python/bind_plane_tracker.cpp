@@ -158,6 +158,13 @@ A view on the result's memory, without a copy.)")
           "pose_information", [](const Tracked& t) { return Matrix6(t.data.pose_information); },
           "What the planes alone say of the pose, the inverse of such a covariance; singular where they leave a "
           "direction open.")
+      .def(
+          "open_directions",
+          [](const Tracked& t, double sigma) { return openDirections(t.data.pose_information, sigma); },
+          "sigma"_a = 0.02, R"(Directions in which the planes leave the camera's place open, a list of unit vectors.
+
+In the camera's frame; along each the planes alone allow a standard deviation of more than sigma metres. None where three
+independent planes are seen, one in a corridor whose ends are not, two before a single wall.)")
       .def_property_readonly(
           "pose_jumped", [](const Tracked& t) { return t.data.pose_jumped; },
           "The planes say that the given pose jumped here; the map goes on without the jump.")

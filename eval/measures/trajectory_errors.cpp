@@ -35,12 +35,14 @@ ErrorStatistics errorStatistics(const std::vector<double>& errors) {
   return result;
 }
 
-RelativePoseErrors relativePoseErrors(const Trajectory& estimate, const Trajectory& truth, double seconds) {
+RelativePoseErrors relativePoseErrors(const Trajectory& estimate, const Trajectory& truth, double seconds,
+                                      const std::vector<bool>& counts) {
   const double tolerance = 2.0 * medianInterval(truth);
   std::vector<double> metres, degrees;
-  for (const StampedPose& from : estimate) {
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
+    const StampedPose& from = estimate[i];
     const std::size_t place = *nearestInTime(estimate, from.time + seconds);
-    if (place + 1 == estimate.size()) continue;
+    if (place + 1 == estimate.size() || (!counts.empty() && !(counts[i] && counts[place]))) continue;
     const StampedPose& to = estimate[place];
     const auto true_from = poseAt(truth, from.time, tolerance), true_to = poseAt(truth, to.time, tolerance);
     if (!true_from || !true_to) continue;

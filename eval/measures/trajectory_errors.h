@@ -24,8 +24,10 @@ struct RelativePoseErrors {
 
 /// Relative pose error (evaluate_rpe.py with --fixed_delta, all pairs): for each pose the one nearest to `seconds`
 /// later, but not the last of the trajectory; the truth at both times is the pose nearest in time, at most twice the
-/// truth's median interval away. E = (Pi^-1 Pj) (Qi^-1 Qj)^-1, its shift and its angle, Q the truth.
-RelativePoseErrors relativePoseErrors(const Trajectory& estimate, const Trajectory& truth, double seconds = 1.0);
+/// truth's median interval away. E = (Pi^-1 Pj) (Qi^-1 Qj)^-1, its shift and its angle, Q the truth. With `counts`,
+/// which has a value for each pose of the estimate, pairs count of which both poses do.
+RelativePoseErrors relativePoseErrors(const Trajectory& estimate, const Trajectory& truth, double seconds = 1.0,
+                                      const std::vector<bool>& counts = {});
 
 /// Absolute trajectory error (evaluate_ate.py): distances of the positions, metres, once a turn and a shift, no scale,
 /// have laid the estimate onto the truth with the least squared sum. The truth of a pose is the one nearest in time, if

@@ -82,6 +82,11 @@ std::string trackSummary(const TrackOptions& options, const TrackResult& result)
   text += line(
       "%zu tracks: %ld go on, %ld became part of another, %ld turned out to be clutter; %.2f ms a frame (median)\n",
       result.tracks.size(), going_on, merged, clutter, 1e-3 * result.microseconds.median().value_or(0.0));
+  const auto open =
+      std::count_if(result.open.begin(), result.open.end(), [](int directions) { return directions > 0; });
+  if (open > 0)
+    text += line("%ld frames in which the planes leave a direction open: there the camera goes on as expected\n",
+                 static_cast<long>(open));
   if (result.without_start > 0)
     text += line("%ld frames left out, for they come before the first pose of %s\n", result.without_start,
                  options.poses.c_str());
@@ -94,12 +99,17 @@ std::string trackSummary(const TrackOptions& options, const TrackResult& result)
 std::string trajectorySummary(const TrackResult& result) {
   if (result.truth.size() < 3) return {};
   const RelativePoseErrors relative = relativePoseErrors(result.trajectory, result.truth);
+  std::vector<bool> is_determined;
+  for (const int open : result.open) is_determined.push_back(open == 0);
+  const RelativePoseErrors determined = relativePoseErrors(result.trajectory, result.truth, 1.0, is_determined);
   const ErrorStatistics absolute = absoluteTrajectoryErrors(result.trajectory, result.truth);
   Table table;
   table.columns.push_back({"trajectory against the known poses", false});
   for (const char* title : {"rmse", "mean", "median", "max", "poses"}) table.columns.push_back({title, true});
   table.rows.push_back(errorCells("relative, over 1 s, mm", relative.metres, 1e3, 2));
   table.rows.push_back(errorCells("relative, over 1 s, degrees", relative.degrees, 1.0, 3));
+  table.rows.push_back(errorCells("the same, three planes, mm", determined.metres, 1e3, 2));
+  table.rows.push_back(errorCells("the same, three planes, degrees", determined.degrees, 1.0, 3));
   table.rows.push_back(errorCells("absolute, aligned, mm", absolute, 1e3, 2));
   return "\n" + textTable(table);
 }

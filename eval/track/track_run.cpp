@@ -22,9 +22,9 @@
 namespace epcc {
 namespace {
 
-const std::vector<std::string> kTimeColumns = {"frame",     "name",     "time_s",    "track_ms",   "read_ms",
-                                               "sensor_ms", "lines_ms", "planes_ms", "regions_ms", "result_ms",
-                                               "load_ms",   "map_ms",   "write_ms",  "planes",     "labels"};
+const std::vector<std::string> kTimeColumns = {
+    "frame",      "name",      "time_s",  "track_ms", "read_ms",  "sensor_ms", "lines_ms", "planes_ms",
+    "regions_ms", "result_ms", "load_ms", "map_ms",   "write_ms", "planes",    "labels",   "open_directions"};
 
 constexpr double kFarthest = 1e4;  // m from the start
 
@@ -107,6 +107,7 @@ class TrackRun {
     result.names.push_back(read.frame.name);
     result.places.push_back(i);
     if (tracked_.pose_jumped) result.jumps.push_back(read.frame.name);
+    result.open.push_back(static_cast<int>(openDirections(tracked_.pose_information).size()));
     result.trajectory.push_back({read.time, Eigen::Isometry3d(tracked_.pose.camera_to_map)});
     if (read.pose) result.truth.push_back({read.time, *read.pose});
     for (const double square : tracked_.squared_error) result.squared_errors.add(square);
@@ -124,6 +125,7 @@ class TrackRun {
       cells.push_back(numberCell(ms, 3));
     cells.push_back(std::to_string(tracked_.segmentation.planes.size()));
     cells.push_back(std::to_string(labels.size()));
+    cells.push_back(std::to_string(result.open.back()));
     times_ << csvLine(cells);
   }
 

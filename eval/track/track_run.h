@@ -17,6 +17,7 @@ struct TrackResult {
   std::vector<std::string> names;   ///< of the frames that were tracked, in the tracker's numbers
   std::vector<std::size_t> places;  ///< of the same in the input
   Trajectory trajectory;            ///< found
+  std::vector<int> open;            ///< of each pose of it, how many directions the planes leave open
   Trajectory truth;                 ///< known, where it is
   std::vector<MappedTrack> tracks;
   SquaredErrors squared_errors;

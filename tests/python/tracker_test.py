@@ -22,6 +22,7 @@ def test_each_surface_has_one_label(camera):
     tracker = epcc.PlaneTracker(sensor=SENSOR)
     frames = list(tracked_room(camera, 12, tracker))
     assert not frames[0].labels.any(), "no label before the third frame"
+    assert numpy.shape(frames[0].open_directions()) == (3, 3), "no plane was expected"
     assert sorted(tracker.label_of(track) for track in frames[0].track_of_plane) == [1, 2, 3]
     assert tracker.label_of(1000) is None
     for frame in frames[3:]:
@@ -33,6 +34,7 @@ def test_each_surface_has_one_label(camera):
         for label, plane in zip(frame.label_of_plane, frame.segmentation.planes):
             assert numpy.count_nonzero(frame.labels == label) == plane.pixel_count
         numpy.testing.assert_allclose(frame.pose, numpy.eye(4), atol=0.01)
+        assert frame.open_directions() == []
         assert frame.pose_covariance.shape == frame.pose_information.shape == (6, 6)
         assert frame.segmentation.sensor.sigma_z(2.0) == pytest.approx(SENSOR.sigma_z(2.0), rel=0.5)
     tracks = tracker.tracks

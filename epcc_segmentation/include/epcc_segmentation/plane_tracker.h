@@ -82,12 +82,18 @@ struct TrackedFrame {
   std::vector<std::int32_t> labels;
   /// The camera by the given or expected pose and the planes together.
   UncertainPose pose;
-  Matrix6 pose_information = Matrix6::Zero();  ///< what the planes alone say of it
+  Matrix6 pose_information = Matrix6::Zero();  ///< what the planes alone say of it, see openDirections()
   /// The given pose is not where the camera is among the planes of the map, which it would be had it gone on as it did:
   /// from now on given poses are taken in the map as if they had not jumped.
   bool pose_jumped = false;
   std::vector<double> squared_error;  ///< normalised, of each plane that was expected and seen (3 on average)
 };
+
+/// Directions in which the planes leave the camera's place open: unit vectors in its own frame along which
+/// `pose_information` (TrackedFrame::pose_information) allows a standard deviation of more than `sigma` metres,
+/// whatever the turn. None where three independent planes are seen, one in a corridor whose ends are not, two before a
+/// single wall, three without any plane.
+EPCC_CORE_EXPORT std::vector<Vector3> openDirections(const Matrix6& pose_information, double sigma = 0.02);
 
 /// Follows planes through the frames of a moving camera (docs/research/over_time.md). What the planes of the map
 /// explain of a frame keeps its plane, the rest is segmented anew; the pose is that which the planes and the

@@ -86,6 +86,35 @@ TEST(PlaneTracker, EachSurfaceHasOneLabelForLife) {
   }
 }
 
+/// What is open in the third frame of a camera at rest before some of the planes of the corner of a room.
+std::vector<Vector3> openBefore(const std::vector<Eigen::Vector4d>& planes) {
+  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  TrackedFrame tracked;
+  for (unsigned k = 0; k < 3; ++k) {
+    test::RenderedRoom room = test::renderRoom(planes, test::testCamera());
+    test::addNoise(room, kSensor, k);
+    EXPECT_TRUE(tracker.track(room.frame(), std::nullopt, 0.1 * k, tracked)) << tracker.error();
+  }
+  return openDirections(tracked.pose_information);
+}
+
+TEST(PlaneTracker, SaysWhatThePlanesLeaveOpen) {
+  const std::vector<Eigen::Vector4d> planes = test::cornerPlanes();
+  EXPECT_TRUE(openBefore(planes).empty());
+  const std::vector<Vector3> along = openBefore({planes[0], planes[1]});  // where they cross, and parallel to that
+  ASSERT_EQ(along.size(), 1U);
+  for (const std::size_t k : {0U, 1U}) EXPECT_LT(std::abs(along[0].dot(planes[k].head<3>().normalized())), 0.05) << k;
+  const std::vector<Vector3> across = openBefore({planes[0]});
+  ASSERT_EQ(across.size(), 2U);
+  for (const Vector3& open : across) EXPECT_LT(std::abs(open.dot(planes[0].head<3>().normalized())), 0.05);
+  EXPECT_EQ(openDirections(Matrix6::Zero()).size(), 3U);
+  Matrix6 wrong = Matrix6::Identity();
+  wrong(2, 3) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(openDirections(wrong).size(), 3U);
+  EXPECT_EQ(openDirections(1e4 * Matrix6::Identity(), 0.011).size(), 0U) << "1 cm each";
+  EXPECT_EQ(openDirections(1e4 * Matrix6::Identity(), 0.009).size(), 3U);
+}
+
 TEST(PlaneTracker, TellsLaterWhatPlanesWithoutALabelBecame) {
   PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
   TrackedFrame first, tracked;
