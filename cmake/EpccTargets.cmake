@@ -3,6 +3,21 @@
 
 option(EPCC_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 
+option(EPCC_COUNT_LINES "Count how often each line of the libraries runs, for scripts/coverage.sh" OFF)
+
+# epcc_count_lines(TARGET): with EPCC_COUNT_LINES. The core's tests are not counted: it takes half as long again to
+# compile them, and ccache does not share between clones what counts, for it knows its own path.
+function(epcc_count_lines target)
+  if(EPCC_COUNT_LINES)
+    target_compile_options(${target} PRIVATE --coverage)
+    target_link_options(${target} INTERFACE --coverage)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "SHARED_LIBRARY")
+      target_link_options(${target} PRIVATE --coverage)
+    endif()
+  endif()
+endfunction()
+
 function(epcc_set_options target)
   target_compile_features(${target} PUBLIC cxx_std_17)
   set_target_properties(${target} PROPERTIES
@@ -36,6 +51,7 @@ function(epcc_add_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   epcc_set_options(${name})
+  epcc_count_lines(${name})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()
