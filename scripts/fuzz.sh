@@ -11,6 +11,7 @@ limit=-max_total_time=30
 jobs=2
 # Freed memory is not kept for long: fresh memory takes half of a reader's time.
 export ASAN_OPTIONS=quarantine_size_mb=4:thread_local_quarantine_size_kb=64
+export LSAN_OPTIONS=suppressions=$PWD/cmake/lsan.supp:print_suppressions=0
 targets=()
 while (($#)); do
   case $1 in
