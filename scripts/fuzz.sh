@@ -61,7 +61,7 @@ run_target() {
     "$(value_of cov: "$log")" "$verdict"
   # Where nobody can look at the files, in CI, these lines are all there is.
   if ((code != 0)); then
-    grep -E 'runtime error|require|^ *#[0-9]+ |ERROR|SUMMARY|^Base64' "$log" | head -n 40 | sed "s/^/$target: /"
+    grep -E 'runtime error|^what must hold|^ *#[0-9]+ |ERROR|SUMMARY|^Base64' "$log" | head -n 40 | sed "s/^/$target: /"
   fi
   return "$code"
 }
