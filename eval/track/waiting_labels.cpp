@@ -3,7 +3,6 @@
 #include "eval/track/waiting_labels.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "eval/track/track_files.h"
 
@@ -11,10 +10,6 @@ namespace epcc {
 
 void WaitingLabels::add(const std::string& path, int width, const TrackedFrame& tracked, const PlaneTracker& tracker) {
   frames_.push_back({path, width, tracked.segmentation.labels, tracked.track_of_plane});
-  write(tracker);
-}
-
-void WaitingLabels::write(const PlaneTracker& tracker) {
   frames_.remove_if([&](const Frame& frame) { return writeIfKnown(frame, tracker, true); });
 }
 
@@ -22,7 +17,7 @@ void WaitingLabels::writeAll(const PlaneTracker& tracker) {
   frames_.remove_if([&](const Frame& frame) { return writeIfKnown(frame, tracker, false); });
 }
 
-bool WaitingLabels::writeIfKnown(const Frame& frame, const PlaneTracker& tracker, bool wait) const {
+bool WaitingLabels::writeIfKnown(const Frame& frame, const PlaneTracker& tracker, bool wait) {
   std::vector<std::int32_t> label_of_plane = {0};
   for (const int track : frame.track_of_plane) {
     const auto label = tracker.labelOf(track);

@@ -15,11 +15,9 @@ namespace epcc {
 /// get it, too, unless it never gets one. So many frames wait at most.
 class WaitingLabels {
  public:
-  /// The frame that the tracker has just taken, of `width` pixels a row. It is written at once if none of its planes
-  /// waits for a label. OutputError as writeLastingLabels().
+  /// The frame that the tracker has just taken, of `width` pixels a row. Written are all frames whose planes wait for a
+  /// label no longer, this one at once if none of its planes does. OutputError as writeLastingLabels().
   void add(const std::string& path, int width, const TrackedFrame& tracked, const PlaneTracker& tracker);
-  /// Writes the frames whose planes wait no longer.
-  void write(const PlaneTracker& tracker);
   /// Writes all of them, planes without a label as none.
   void writeAll(const PlaneTracker& tracker);
 
@@ -30,7 +28,7 @@ class WaitingLabels {
     std::vector<std::int32_t> planes;  ///< row-major, the frame's own, 0 none
     std::vector<int> track_of_plane;
   };
-  bool writeIfKnown(const Frame& frame, const PlaneTracker& tracker, bool wait) const;
+  static bool writeIfKnown(const Frame& frame, const PlaneTracker& tracker, bool wait);
 
   std::list<Frame> frames_;
 };
