@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "datasets/rendered/scene.h"
 #include "datasets/rendered/step_frames.h"
 
 namespace epcc::test {
@@ -32,6 +33,7 @@ TEST(RenderedFrames, AreMadeOnceAndKept) {
 TEST(RenderedFrames, OfAnUnknownSceneAreRefused) {
   EXPECT_THROW(sceneWithNoise("e", NoiseOptions()), std::invalid_argument);
   EXPECT_EQ(sceneWithNoise("a", NoiseOptions())(1).labels.width, sceneWithNoise("a", NoiseOptions())(1).depth.width);
+  EXPECT_EQ(sceneWithNoise("a", NoiseOptions())(1).depth.data, renderScene("a", 1).depth.data);
 }
 
 /// How far the pixels of a label lie behind the wall's plane, metres.

@@ -86,7 +86,7 @@ TEST_P(ToolsOutOfMemory, IsOneLineAndExitCode3) {
   std::optional<VirtualDisplay> display;
   if (std::string(GetParam().program) == "epcc_view") {
     display.emplace();
-    if (!display->exists()) GTEST_SKIP() << "no Xvfb";
+    if (!display->exists()) GTEST_SKIP() << "Xvfb not found (Debian package xvfb)";
     before_ = display->command();
   }
   const long least = leastToStart();
