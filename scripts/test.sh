@@ -9,7 +9,7 @@ stage() { printf '==== %s (after %d s)\n' "$1" "$SECONDS"; }
 
 stage "Packages"
 scripts/install_packages.sh clang-format-14 shellcheck valgrind python3-matplotlib doxygen mandoc \
-  g++-aarch64-linux-gnu clang-14 libclang-rt-14-dev gcovr
+  g++-aarch64-linux-gnu clang-14 libclang-rt-14-dev
 stage "Format, scripts, floors"
 scripts/check_format.sh
 scripts/check_scripts.sh
