@@ -18,6 +18,11 @@ double medianInterval(const Trajectory& trajectory) {
 
 }  // namespace
 
+PoseDifference poseDifference(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  const Eigen::Isometry3d error = a * b.inverse();
+  return {error.translation().norm(), Eigen::AngleAxisd(error.linear()).angle() * 180.0 / M_PI};
+}
+
 ErrorStatistics errorStatistics(const std::vector<double>& errors) {
   ErrorStatistics result;
   if (errors.empty()) return result;
@@ -46,9 +51,9 @@ RelativePoseErrors relativePoseErrors(const Trajectory& estimate, const Trajecto
     const StampedPose& to = estimate[place];
     const auto true_from = poseAt(truth, from.time, tolerance), true_to = poseAt(truth, to.time, tolerance);
     if (!true_from || !true_to) continue;
-    const Eigen::Isometry3d error = (from.pose.inverse() * to.pose) * (true_from->inverse() * *true_to).inverse();
-    metres.push_back(error.translation().norm());
-    degrees.push_back(Eigen::AngleAxisd(error.linear()).angle() * 180.0 / M_PI);
+    const PoseDifference error = poseDifference(from.pose.inverse() * to.pose, true_from->inverse() * *true_to);
+    metres.push_back(error.metres);
+    degrees.push_back(error.degrees);
   }
   return {errorStatistics(metres), errorStatistics(degrees)};
 }

@@ -17,6 +17,12 @@ struct ErrorStatistics {
 };
 ErrorStatistics errorStatistics(const std::vector<double>& errors);
 
+/// A shift and an angle: those of E = A B^-1.
+struct PoseDifference {
+  double metres = 0.0, degrees = 0.0;
+};
+PoseDifference poseDifference(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
+
 struct RelativePoseErrors {
   ErrorStatistics metres;
   ErrorStatistics degrees;

@@ -5,12 +5,14 @@
 #include <algorithm>
 
 #include "datasets/support/input_error.h"
+#include "eval/measures/depth_alignment.h"
 
 namespace epcc {
 namespace {
 
 constexpr std::size_t kMostFrames = 100;
-constexpr double kWatched = 1.0;  // s between the frames whose labels are compared for switches
+constexpr double kWatched = 1.0;  // s between the frames whose labels are compared for switches, and their poses
+constexpr long kAlignEvery = 5;   // frames
 
 LabelSwitches& operator+=(LabelSwitches& sums, const LabelSwitches& other) {
   sums.switches += other.switches;
@@ -46,17 +48,37 @@ void TrackMeasures::compare(const Seen& earlier, const Seen& later, LagMeasures&
   sums.as_known += lastingRepeatability(shared, asKnown(earlier, tracker), asKnown(later, tracker));
 }
 
-// Against the latest frame of the window that is a second old.
-void TrackMeasures::countSwitches(const Seen& later, const PlaneTracker& tracker) {
+/// The latest frame of the window that is a second old; none if there is a gap.
+const TrackMeasures::Seen* TrackMeasures::aSecondBefore(const Seen& later) const {
   for (auto it = window_.rbegin(); it != window_.rend(); ++it) {
     if (!*it || later.time - (*it)->time < kWatched - 1e-6) continue;
-    const double seconds = later.time - (*it)->time;
-    if (seconds > 1.5 * kWatched) return;
-    const std::vector<std::int32_t> shared = sharedPixels((*it)->view, later.view);
-    as_written_ += labelSwitches(shared, (*it)->lasting, later.lasting, seconds);
-    as_known_ += labelSwitches(shared, asKnown(**it, tracker), asKnown(later, tracker), seconds);
-    return;
+    return later.time - (*it)->time > 1.5 * kWatched ? nullptr : &**it;
   }
+  return nullptr;
+}
+
+void TrackMeasures::countSwitches(const Seen& earlier, const Seen& later, const PlaneTracker& tracker) {
+  const double seconds = later.time - earlier.time;
+  const std::vector<std::int32_t> shared = sharedPixels(earlier.view, later.view);
+  as_written_ += labelSwitches(shared, earlier.lasting, later.lasting, seconds);
+  as_known_ += labelSwitches(shared, asKnown(earlier, tracker), asKnown(later, tracker), seconds);
+}
+
+void TrackMeasures::align(const Seen& earlier, const Seen& later, const SensorModel& sensor) {
+  if (frames_ % kAlignEvery != 0 || !earlier.is_determined || !later.is_determined) return;
+  const Eigen::Isometry3d known = later.view.pose.inverse() * earlier.view.pose;
+  const Eigen::Isometry3d tracked = later.tracked.inverse() * earlier.tracked;
+  const DepthAlignment best = alignDepth(earlier.view, later.view, sensor, {known, tracked});
+  const auto compare = [&](const Eigen::Isometry3d& pose, std::vector<double>& metres, std::vector<double>& degrees,
+                           std::vector<double>& misfit) {
+    const PoseDifference error = poseDifference(pose.inverse(), best.to_from.inverse());
+    metres.push_back(error.metres);
+    degrees.push_back(error.degrees);
+    misfit.push_back(depthMisfit(earlier.view, later.view, sensor, pose));
+  };
+  compare(known, aligned_.known_metres, aligned_.known_degrees, aligned_.known_misfit);
+  compare(tracked, aligned_.tracked_metres, aligned_.tracked_degrees, aligned_.tracked_misfit);
+  aligned_.aligned_misfit.push_back(best.misfit);
 }
 
 void TrackMeasures::add(const SequenceFrame& read, const TrackedFrame& tracked, const PlaneTracker& tracker) {
@@ -74,6 +96,8 @@ void TrackMeasures::add(const SequenceFrame& read, const TrackedFrame& tracked, 
   Seen seen;
   seen.time = read.time;
   seen.view = {read.frame.camera.camera, *read.pose, read.frame.depth};
+  seen.tracked = tracked.pose.camera_to_map;
+  seen.is_determined = openDirections(tracked.pose_information).empty();
   seen.regions = seenRegions(seen.view, tracked.segmentation, model);
   seen.track_of_plane = tracked.track_of_plane;
   seen.lasting = lastingRegions(seen.regions, tracked.label_of_plane);
@@ -87,7 +111,10 @@ void TrackMeasures::add(const SequenceFrame& read, const TrackedFrame& tracked, 
     if (window_.size() >= lag && window_[window_.size() - lag])
       compare(*window_[window_.size() - lag], seen, sums, tracker);
   }
-  countSwitches(seen, tracker);
+  if (const Seen* earlier = aSecondBefore(seen)) {
+    countSwitches(*earlier, seen, tracker);
+    align(*earlier, seen, model);
+  }
   if (!read.frame.labels.empty()) {
     truth_.add(read.frame.labels, seen.lasting.labels, read.time);
     ++truth_frames_;

@@ -25,6 +25,13 @@ struct LagMeasures {
   LastingRepeatability as_known;    ///< labels as they are known at the time of the later frame
 };
 
+/// Relative poses over a second beside those at which the depth images themselves fit each other best: of the known
+/// poses and of the trajectory. Every fifth frame, where the planes leave no direction open at either end.
+struct AlignedErrors {
+  std::vector<double> known_metres, known_degrees, tracked_metres, tracked_degrees;
+  std::vector<double> known_misfit, tracked_misfit, aligned_misfit;  ///< depthMisfit()
+};
+
 /// Takes the frames of a run that have poses.
 class TrackMeasures {
  public:
@@ -40,11 +47,14 @@ class TrackMeasures {
   const LabelSwitches& switchesOfTruth() const { return truth_.result(); }
   const LabelSwitches& switchesAsWritten() const { return as_written_; }
   const LabelSwitches& switchesAsKnown() const { return as_known_; }
+  const AlignedErrors& alignedErrors() const { return aligned_; }
 
  private:
   struct Seen {
     double time = 0.0;
     PosedView view;
+    Eigen::Isometry3d tracked = Eigen::Isometry3d::Identity();  ///< pose in the map
+    bool is_determined = false;                                 ///< by the planes, in all directions
     SeenRegions regions;
     std::vector<int> track_of_plane;
     LastingRegions lasting;  ///< by the labels that its planes had then
@@ -53,7 +63,9 @@ class TrackMeasures {
 
   static LastingRegions asKnown(const Seen& seen, const PlaneTracker& tracker);
   void compare(const Seen& earlier, const Seen& later, LagMeasures& sums, const PlaneTracker& tracker);
-  void countSwitches(const Seen& later, const PlaneTracker& tracker);
+  const Seen* aSecondBefore(const Seen& later) const;
+  void countSwitches(const Seen& earlier, const Seen& later, const PlaneTracker& tracker);
+  void align(const Seen& earlier, const Seen& later, const SensorModel& sensor);
 
   bool compare_single_;
   std::optional<SensorModel> sensor_;
@@ -64,6 +76,7 @@ class TrackMeasures {
   std::vector<LagMeasures> lags_;
   SwitchCounter truth_;
   LabelSwitches as_written_, as_known_;
+  AlignedErrors aligned_;
   long frames_ = 0, truth_frames_ = 0;
 };
 

@@ -114,6 +114,24 @@ std::string trajectorySummary(const TrackResult& result) {
   return "\n" + textTable(table);
 }
 
+namespace {
+
+std::string alignedSummary(const AlignedErrors& errors) {
+  Table table;
+  table.columns.push_back({"over 1 s, against aligned depth images", false});
+  for (const char* title : {"rmse", "mean", "median", "max", "pairs"}) table.columns.push_back({title, true});
+  table.rows.push_back(errorCells("known poses, mm", errorStatistics(errors.known_metres), 1e3, 2));
+  table.rows.push_back(errorCells("known poses, degrees", errorStatistics(errors.known_degrees), 1.0, 3));
+  table.rows.push_back(errorCells("trajectory, mm", errorStatistics(errors.tracked_metres), 1e3, 2));
+  table.rows.push_back(errorCells("trajectory, degrees", errorStatistics(errors.tracked_degrees), 1.0, 3));
+  return "\n" + textTable(table) +
+         line("misfit of the depth images, mean square in sigma: known poses %.2f, trajectory %.2f, aligned %.2f\n",
+              errorStatistics(errors.known_misfit).mean, errorStatistics(errors.tracked_misfit).mean,
+              errorStatistics(errors.aligned_misfit).mean);
+}
+
+}  // namespace
+
 std::string measureSummary(const TrackOptions& options, const TrackResult& result) {
   const SquaredErrors& squares = result.squared_errors;
   std::string text;
@@ -133,6 +151,7 @@ std::string measureSummary(const TrackOptions& options, const TrackResult& resul
       row("labels as written", sums.as_written);
       row("labels as known by then", sums.as_known);
     }
+    if (!measures.alignedErrors().known_metres.empty()) text += alignedSummary(measures.alignedErrors());
     text += "\n" + textTable(table);
     if (measures.hasTruth())
       text += line("label switches a surface and minute, against the truth: %.2f (%ld in %.1f minutes)\n",

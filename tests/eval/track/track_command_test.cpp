@@ -11,7 +11,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
+#include "datasets/files/frame_pose.h"
 #include "datasets/files/png_io.h"
 #include "datasets/files/trajectory_file.h"
 #include "datasets/rendered/scene_sequence.h"
@@ -202,6 +204,33 @@ TEST_F(TrackCommand, WatchesLabelsForASecondWhateverTheLags) {
   EXPECT_NE(out.find("of the largest five over 1 s: 0.00 as written, 0.00 as known by then (0."), std::string::npos)
       << out;
   EXPECT_EQ(out.find("(0.0 minutes)"), std::string::npos) << out;
+}
+
+// The median of a row of the table of relative poses.
+double medianOfRow(const std::string& out, const std::string& row) {
+  const std::size_t begin = out.find("\n" + row);
+  EXPECT_NE(begin, std::string::npos) << row << '\n' << out;
+  if (begin == std::string::npos) return -1.0;
+  std::istringstream cells(out.substr(begin + 1 + row.size()));
+  double rmse = -1.0, mean = -1.0, median = -1.0;
+  cells >> rmse >> mean >> median;
+  return median;
+}
+
+TEST_F(TrackCommand, DepthImagesTellWhichPosesAreWrong) {
+  for (std::size_t i = 0; i < 11; ++i) {  // five a second: every pair is of an even frame and an odd one
+    LabelledFrame frame = readLabelledFrame(frames(), frameName(i));
+    Eigen::Isometry3d pose = framePose(frame).value();
+    if (i % 2 == 1) pose.translation() += Eigen::Vector3d(0.04, 0.0, 0.03);
+    setFramePose(pose, frame);
+    frame.camera.extra["timestamp"] = 0.2 * static_cast<double>(i);
+    fs::create_directories(path("wrong"));
+    writeLabelledFrame(path("wrong"), frame);
+  }
+  const std::string out = outputOf({path("wrong"), "--pose-free", "--out", path("o"), "--measure", "--lags", "1"});
+  EXPECT_NEAR(medianOfRow(out, "known poses, mm"), 50.0, 5.0) << out;
+  EXPECT_LT(medianOfRow(out, "trajectory, mm"), 5.0) << out;
+  EXPECT_LT(medianOfRow(out, "trajectory, degrees"), 0.3) << out;
 }
 
 TEST_F(TrackCommand, TakesPosesOfAFile) {
