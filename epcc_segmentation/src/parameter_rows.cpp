@@ -78,7 +78,8 @@ std::vector<ParameterField> inverseDepthFields() {
           "time matters more than small faces", "faces of a few pixels matter more than time"),
       choice(
           EPCC_FIELD(inverse_depth.adapt_sensor), {"off", "on"},
-          "Pull the size of a given sensor model to the error that the frames show, unless they agree within 20 % (S0)",
+          "Pull size and correlation length of a given sensor model to those of the error that the frames show, unless "
+          "they agree within 20 % (S0)",
           "Choose off if the model is known to be right, and for repeatable experiments with wrong ones"),
       number(
           EPCC_FIELD(inverse_depth.line_k_max), kAboveZero, 100, "sigma_w",

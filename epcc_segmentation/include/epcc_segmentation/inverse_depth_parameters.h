@@ -23,8 +23,9 @@ struct InverseDepthParameters {
   /// than small faces; lower it if faces of a few pixels matter more than time.
   int stride = 0;
 
-  /// Pull the size of a given sensor model to the error that the frames show, unless they agree within 20 % (S0). off |
-  /// on, default on. Choose off if the model is known to be right, and for repeatable experiments with wrong ones.
+  /// Pull size and correlation length of a given sensor model to those of the error that the frames show, unless they
+  /// agree within 20 % (S0). off | on, default on. Choose off if the model is known to be right, and for repeatable
+  /// experiments with wrong ones.
   bool adapt_sensor = true;
 
   /// Gate of a line segment (S1): a sample belongs to it within so many standard deviations of the sensor model.

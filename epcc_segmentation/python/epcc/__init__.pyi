@@ -591,9 +591,9 @@ class InverseDepthParameters:
     pixels. 0: by the longer side, one for every 320 pixels. [0, 8] pixels, default 0. Raise it if time matters more
     than small faces; lower it if faces of a few pixels matter more than time."""
     adapt_sensor: bool
-    """Pull the size of a given sensor model to the error that the frames show, unless they agree within 20 % (S0).
-    False | True, default True. Choose off if the model is known to be right, and for repeatable experiments with wrong
-    ones."""
+    """Pull size and correlation length of a given sensor model to those of the error that the frames show, unless they
+    agree within 20 % (S0). False | True, default True. Choose off if the model is known to be right, and for repeatable
+    experiments with wrong ones."""
     line_k_max: float
     """Gate of a line segment (S1): a sample belongs to it within so many standard deviations of the sensor model. (0,
     100] sigma_w, default 1.5. Raise it if surfaces break into pieces although the sensor model is right; lower it if

@@ -7,13 +7,20 @@
 #include <cstddef>
 
 #include "quantile.h"
+#include "sensor/model_length.h"
 
 namespace epcc {
 
 namespace {
 
-constexpr double kDeadZone = 0.2;             // of ln(rho): what an estimate from one frame may err by
+constexpr double kDeadZone = 0.2;             // of a logarithm: what an estimate from one frame may err by
 constexpr std::size_t kComparedDepths = 500;  // sampled in an image, at least
+
+/// What `given` is to be multiplied by to come to `measured`, but for the dead zone.
+double pull(double measured, double given) {
+  const double x = std::log(measured / given);
+  return std::exp(x > 0.0 ? std::max(0.0, x - kDeadZone) : std::min(0.0, x + kDeadZone));
+}
 
 }  // namespace
 
@@ -30,8 +37,16 @@ SensorModel adapted(const SensorModel& given, const SensorEstimate& measured, co
     ratios.push_back(model.varianceZ(z) / given.varianceZ(z));
   }
   if (ratios.empty()) return given;
-  const double x = 0.5 * std::log(quantile(ratios, 0.5));
-  return given.scaled(std::exp(x > 0.0 ? std::max(0.0, x - kDeadZone) : std::min(0.0, x + kDeadZone)));
+  const SensorModel result = given.scaled(pull(std::sqrt(quantile(ratios, 0.5)), 1.0));
+  if (!image.planar_rows) return result;  // a scanner's length is not measured
+  // A measured model has a length even where there is nothing but grain. A given one is right without.
+  const double most = measured.correlation_length;
+  const double least = measured.blotch_share > 0.0 ? std::min(most, lengthOfError(measured.effective_length)) : 0.0;
+  const double length = given.correlationLength();
+  const double wanted = std::clamp(length, least, most);
+  if (wanted == length) return result;
+  const double from = std::max(kLengthOfGrain, length);
+  return result.withCorrelationLength(from * pull(wanted, from));
 }
 
 }  // namespace epcc

@@ -9,6 +9,7 @@
 #include "geometry/sensor_cloud.h"
 #include "inverse_depth/scattered_pixels.h"
 #include "sensor/image_estimation.h"
+#include "sensor/model_length.h"
 
 namespace epcc {
 
@@ -26,10 +27,7 @@ constexpr double kSigmaOverSteps = 2.6;
 constexpr double kPlaceOfBlotch = 1.2;
 constexpr double kMaxBinWeight = 20.0;
 
-// The length that the model is given is in proportion to that of the error, beside that of grain, and the image must
-// hold about 69 faces of minimal evidence.
-constexpr double kLengthFactor = 1.5;
-constexpr double kLengthOfGrain = 0.4;
+// Of the length that the model is given: the image must hold about 69 faces of minimal evidence.
 constexpr double kLeastLength = 1.5;  // pixels of an image of 640 x 480
 constexpr double kFacesOfImage = 69.0;
 // A scanner measures each pixel by itself. Where its residuals agree farther than that, it is the offset of a ring, or
@@ -49,7 +47,7 @@ double lengthOfModel(double effective_length, const InverseDepthImage& image) {
   if (!image.planar_rows) return kLengthOfScans;
   const double width = image.width, height = image.height;
   const double least = kLeastLength * std::sqrt(width * height / (640.0 * 480.0));
-  const double length = std::max(least, kLengthFactor * effective_length + kLengthOfGrain);
+  const double length = std::max(least, lengthOfError(effective_length));
   return std::min(length, largestLength(width, height));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "epcc_segmentation/plane_extractor.h"
+#include "tests/epcc_segmentation/sensor/measured_rooms.h"
 #include "tests/support/rendered_room.h"
 
 namespace {
@@ -100,6 +101,45 @@ TEST(SensorAdaptation, OverAStreamTheModelSettlesAndStartsAfreshWithANewOne) {
   EXPECT_LT(used, 1.5);
   extractor.setSensor(kTruth);
   EXPECT_EQ(usedOverTrue(extractor, measuredRoom().frame()), 1.0);
+}
+
+double lengthUsed(const epcc::test::RenderedRoom& room, double given_length) {
+  PlaneExtractor extractor({}, kTruth.withCorrelationLength(given_length));
+  PlaneSegmentation result;
+  EXPECT_TRUE(extractor.extract(room.frame(), result)) << extractor.error();
+  return extractor.sensor().correlationLength();
+}
+
+/// Every second pixel of every second row.
+epcc::test::RenderedRoom half(const epcc::test::RenderedRoom& room) {
+  epcc::test::RenderedRoom result{room.camera, {}, {}};
+  epcc::PinholeCamera& camera = result.camera;
+  camera = {camera.width / 2, camera.height / 2, camera.fx / 2, camera.fy / 2, camera.cx / 2, camera.cy / 2};
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column)
+      result.depth.push_back(room.depth[static_cast<std::size_t>(2 * row * room.camera.width + 2 * column)]);
+  return result;
+}
+
+TEST(SensorAdaptation, TheLengthOfALargerImageIsPulledToThatOfItsCopy) {
+  auto room = epcc::test::room();
+  epcc::test::addBlotches(room, kTruth, 4.0, 5);
+  EXPECT_EQ(lengthUsed(room, 6.4), 6.4) << "what a model of such blotches has";
+  const double used = lengthUsed(half(room), 6.4);
+  EXPECT_GT(used, 2.8);
+  EXPECT_LT(used, 4.5);
+}
+
+TEST(SensorAdaptation, ALengthThatIsTooShortIsPulledToTheBlotchesSeen) {
+  auto room = epcc::test::room();
+  epcc::test::addBlotches(room, kTruth, 4.0, 5);
+  EXPECT_GT(lengthUsed(room, 1.0), 4.5);
+  EXPECT_LT(lengthUsed(room, 1.0), 7.0);
+}
+
+TEST(SensorAdaptation, WhereGrainIsSeenAShortLengthStays) {
+  for (const double length : {0.0, 0.4, 1.0, 1.5}) EXPECT_EQ(lengthUsed(measuredRoom(), length), length);
+  EXPECT_LT(lengthUsed(measuredRoom(), 6.0), 2.0);
 }
 
 }  // namespace
