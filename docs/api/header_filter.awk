@@ -8,7 +8,7 @@ BEGIN {
   add("frames", "depth_frame depth_view projection cloud_geometry")
   add("sensor", "sensor_model sensor_estimation")
   add("pcl_class", "pcl/epcc_segmentation epcc_segmentation")
-  add("surfaces", "contours surface_polygon plane_edges surface_mesh surface_sampling")
+  add("surfaces", "contours label_arcs surface_polygon plane_edges surface_mesh surface_sampling")
   add("laser", "laser_line_extractor laser_scan range_noise")
   add("stream", "scan_line_stream stream_geometry")
   add("over_time", "plane_tracker known_planes")

@@ -3,12 +3,11 @@
 #include "eval/track/grid_outline.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
-#include <map>
+#include <iterator>
 
 #include "datasets/files/image.h"
+#include "epcc_segmentation/label_arcs.h"
 #include "eval/track/ring_drawing.h"
 
 namespace epcc {
@@ -17,10 +16,8 @@ namespace {
 using Mask = Image<std::uint8_t>;
 
 constexpr int kMargin = 3;
-constexpr int kOutside = 1;  // number of the empty piece in the first corner
 constexpr long kMaxCells = 64L * 1000 * 1000;
 constexpr double kTolerance = 1.0;  // cells
-constexpr std::array<int, 4> kStepX = {1, 0, -1, 0}, kStepY = {0, 1, 0, -1};
 
 /// A cell is set if any (`all` false) or all of the nine around it are set.
 Mask ofNeighbours(const Mask& mask, bool all) {
@@ -35,86 +32,41 @@ Mask ofNeighbours(const Mask& mask, bool all) {
   return result;
 }
 
-/// Numbers the connected pieces of cells with this value from 1, with their sizes; [0] is not used.
-std::vector<int> numberPieces(const Mask& mask, std::uint8_t value, Image<int>& numbers) {
-  numbers = Image<int>(mask.width, mask.height);
-  std::vector<int> sizes(1, 0);
-  std::vector<std::pair<int, int>> open;
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x) {
-      if (mask.at(y, x) != value || numbers.at(y, x) != 0) continue;
-      const int number = static_cast<int>(sizes.size());
-      sizes.push_back(0);
-      numbers.at(y, x) = number;
-      open.assign(1, {x, y});
-      while (!open.empty()) {
-        const auto [cx, cy] = open.back();
-        open.pop_back();
-        ++sizes.back();
-        for (std::size_t d = 0; d < 4; ++d) {
-          const int nx = cx + kStepX[d], ny = cy + kStepY[d];
-          if (nx < 0 || ny < 0 || nx >= mask.width || ny >= mask.height) continue;
-          if (mask.at(ny, nx) != value || numbers.at(ny, nx) != 0) continue;
-          numbers.at(ny, nx) = number;
-          open.emplace_back(nx, ny);
-        }
-      }
-    }
-  return sizes;
-}
-
-/// Small holes are filled and small pieces dropped.
-void dropSmall(Mask& mask, int min_cells) {
-  Image<int> numbers;
-  const std::vector<int> holes = numberPieces(mask, 0, numbers);
-  for (std::size_t i = 0; i < mask.data.size(); ++i)
-    if (numbers.data[i] > kOutside && holes[static_cast<std::size_t>(numbers.data[i])] < min_cells) mask.data[i] = 1;
-  const std::vector<int> pieces = numberPieces(mask, 1, numbers);
-  const auto largest = std::max_element(pieces.begin(), pieces.end()) - pieces.begin();
-  for (std::size_t i = 0; i < mask.data.size(); ++i) {
-    const int number = numbers.data[i];
-    if (number > 0 && number != largest && pieces[static_cast<std::size_t>(number)] < min_cells) mask.data[i] = 0;
+/// The rings of each connected piece, its outline first. Small holes and small pieces are left out.
+std::vector<std::vector<const LabelRing*>> piecesOf(const LabelArcs& arcs, int min_cells) {
+  std::vector<std::vector<const LabelRing*>> pieces;
+  for (const LabelRing& ring : arcs.rings) {
+    const auto piece = static_cast<std::size_t>(ring.component);
+    if (pieces.size() <= piece) pieces.resize(piece + 1);
+    pieces[piece].push_back(&ring);
   }
+  std::vector<long> cells;
+  for (std::vector<const LabelRing*>& rings : pieces) {
+    std::stable_sort(rings.begin(), rings.end(),
+                     [](const LabelRing* a, const LabelRing* b) { return a->pixels > b->pixels; });
+    while (rings.size() > 1 && rings.back()->pixels < min_cells) rings.pop_back();
+    cells.push_back(rings.front()->pixels);
+    for (std::size_t i = 1; i < rings.size(); ++i) cells.back() -= rings[i]->pixels;
+  }
+  const auto largest = std::max_element(cells.begin(), cells.end()) - cells.begin();
+  std::vector<std::vector<const LabelRing*>> kept;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (static_cast<long>(i) == largest || cells[i] >= min_cells) kept.push_back(std::move(pieces[i]));
+  return kept;
 }
 
-/// The sides of cells on the border, by the corner where they start: a bit for each direction, the cell on their left.
-Mask borderSides(const Mask& mask) {
-  Mask sides(mask.width + 1, mask.height + 1);
-  for (int y = 1; y + 1 < mask.height; ++y)
-    for (int x = 1; x + 1 < mask.width; ++x) {
-      if (mask.at(y, x) == 0) continue;
-      const auto add = [&](int at_x, int at_y, int direction) {
-        sides.at(at_y, at_x) = static_cast<std::uint8_t>(sides.at(at_y, at_x) | (1 << direction));
-      };
-      if (mask.at(y - 1, x) == 0) add(x, y, 0);
-      if (mask.at(y, x + 1) == 0) add(x + 1, y, 1);
-      if (mask.at(y + 1, x) == 0) add(x + 1, y + 1, 2);
-      if (mask.at(y, x - 1) == 0) add(x, y + 1, 3);
-    }
-  return sides;
-}
-
-/// Walks along the border from a side on, and takes away the sides it has walked: corners where it turns. At a corner
-/// that two cells share it stays with its own cell.
-Ring walk(Mask& sides, const int first_x, const int first_y, const int first_direction) {
-  const auto take = [&](int x, int y, int direction) {
-    sides.at(y, x) = static_cast<std::uint8_t>(sides.at(y, x) & ~(1 << direction));
-  };
-  Ring ring;
-  int x = first_x, y = first_y, direction = first_direction, last = -1;
-  do {
-    if (direction != last) ring.emplace_back(x, y);
-    if (last >= 0) take(x, y, direction);  // the first side stays to be met again
-    last = direction;
-    x += kStepX[static_cast<std::size_t>(direction)];
-    y += kStepY[static_cast<std::size_t>(direction)];
-    for (const int turn : {1, 0, 3}) {
-      direction = (last + turn) % 4;
-      if ((sides.at(y, x) >> direction & 1) != 0) break;
-    }
-  } while (x != first_x || y != first_y || direction != first_direction);
-  take(first_x, first_y, first_direction);
-  return ring;
+/// Corners where the walk turns, those of cells that were counted from `origin` on. Rows run upwards here: the walk is
+/// the other way round.
+Ring cornersOf(const LabelArcs& arcs, const LabelRing& ring, const Eigen::Vector2d& origin) {
+  std::vector<int> walk = arcs.corners(ring);
+  std::reverse(walk.begin() + 1, walk.end());
+  Ring corners;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    const int before = walk[i > 0 ? i - 1 : walk.size() - 1], after = walk[i + 1 < walk.size() ? i + 1 : 0];
+    if (arcs.row(before) == arcs.row(after) || arcs.column(before) == arcs.column(after)) continue;
+    corners.push_back(origin + Eigen::Vector2d(arcs.column(walk[i]), arcs.row(walk[i])));
+  }
+  return corners;
 }
 
 double areaOf(const Ring& ring) {
@@ -143,34 +95,18 @@ std::vector<CellPiece> cellPieces(const std::vector<std::pair<int, int>>& cells,
   Mask mask(static_cast<int>(width), static_cast<int>(height));
   for (const auto& [x, y] : cells) mask.at(y - low + kMargin, x - left + kMargin) = 1;
   mask = ofNeighbours(ofNeighbours(mask, false), true);
-  dropSmall(mask, min_cells);
 
-  Image<int> numbers;
-  numberPieces(mask, 1, numbers);
-  Mask sides = borderSides(mask);
-  std::map<int, std::vector<Ring>> rings;  // of each piece, its outline first
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x)
-      while (sides.at(y, x) != 0) {
-        int direction = 0;
-        while ((sides.at(y, x) >> direction & 1) == 0) ++direction;
-        // The cell on the left of the first side.
-        constexpr std::array<int, 4> kCellX = {0, -1, -1, 0}, kCellY = {0, 0, -1, -1};
-        const auto d = static_cast<std::size_t>(direction);
-        std::vector<Ring>& of_piece = rings[numbers.at(y + kCellY[d], x + kCellX[d])];
-        of_piece.push_back(walk(sides, x, y, direction));
-        if (areaOf(of_piece.back()) > 0.0) std::swap(of_piece.front(), of_piece.back());
-      }
-
+  const std::vector<std::int32_t> labels(mask.data.begin(), mask.data.end());
+  const LabelArcs arcs = findLabelArcs(labels, mask.width, mask.height, false);
+  const Eigen::Vector2d origin(left - kMargin, low - kMargin);
   std::vector<CellPiece> pieces;
-  const Eigen::Vector2d shift(left - kMargin, low - kMargin);
-  for (auto& [number, of_piece] : rings) {
-    std::vector<Ring> drawn = drawnSimpler(of_piece, kTolerance);
-    for (Ring& ring : drawn)
-      for (Eigen::Vector2d& corner : ring) corner += shift;
+  for (const std::vector<const LabelRing*>& of_piece : piecesOf(arcs, min_cells)) {
+    std::vector<Ring> rings;
+    for (const LabelRing* ring : of_piece) rings.push_back(cornersOf(arcs, *ring, origin));
+    std::vector<Ring> drawn = drawnSimpler(rings, kTolerance);
     CellPiece piece;
     piece.outline = std::move(drawn.front());
-    for (std::size_t i = 1; i < drawn.size(); ++i) piece.holes.push_back(std::move(drawn[i]));
+    piece.holes.assign(std::make_move_iterator(drawn.begin() + 1), std::make_move_iterator(drawn.end()));
     pieces.push_back(std::move(piece));
   }
   std::stable_sort(pieces.begin(), pieces.end(),

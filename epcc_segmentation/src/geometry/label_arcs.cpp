@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Walks along pixel edges with the region to the left, and cuts the walks where more than two labels meet.
-#include "geometry/label_arcs.h"
+#include "epcc_segmentation/label_arcs.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <unordered_map>
 
 namespace epcc {
 
 namespace {
+
+constexpr std::size_t kMostPixels = std::numeric_limits<int>::max() / 8;  // their corners can be counted by an int
 
 /// Right, up, left, down on the picture: a turn to the left is the next.
 constexpr int kSideColumnStep[4] = {1, 0, -1, 0};
@@ -257,9 +260,22 @@ class ArcFinder {
 
 }  // namespace
 
+std::vector<int> LabelArcs::corners(const LabelRing& ring) const {
+  std::vector<int> walk;
+  for (const LabelRing::Part& part : ring.parts) {
+    const std::vector<int>& own = arcs[static_cast<std::size_t>(part.arc)].corners;
+    if (part.is_reversed)
+      walk.insert(walk.end(), own.rbegin(), own.rend() - 1);
+    else
+      walk.insert(walk.end(), own.begin(), own.end() - 1);
+  }
+  return walk;
+}
+
 LabelArcs findLabelArcs(const std::vector<std::int32_t>& labels, int width, int height, bool closes_round) {
   if (width <= 0 || height <= 0 || labels.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     return LabelArcs();
+  if (labels.size() > kMostPixels) return LabelArcs();
   return ArcFinder(labels, width, height, closes_round).find();
 }
 

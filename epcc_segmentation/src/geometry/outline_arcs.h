@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "epcc_segmentation/label_arcs.h"
 #include "epcc_segmentation/surface_polygon.h"
-#include "geometry/label_arcs.h"
 #include "geometry/outline_planes.h"
 #include "geometry/plane_crease.h"
 

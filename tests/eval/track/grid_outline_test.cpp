@@ -75,6 +75,21 @@ TEST(CellPieces, CloseGapsAndDropWhatIsSmall) {
   EXPECT_DOUBLE_EQ(area(cellPieces(speck, 100)[0]), 1.0);
 }
 
+TEST(CellPieces, FillSmallHolesAndWhatIsInThem) {
+  Cells cells;
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 30; ++x)
+      if (x < 10 || x >= 20 || y < 10 || y >= 20) cells.emplace_back(x, y);
+  addRectangle(cells, 14, 14, 2, 2);  // four cells from the rest on all sides
+  ASSERT_EQ(cellPieces(cells, 4).size(), 2U);
+  EXPECT_EQ(cellPieces(cells, 4)[0].holes.size(), 1U);
+  ASSERT_EQ(cellPieces(cells, 5).size(), 1U) << "the piece in the hole";
+  EXPECT_EQ(cellPieces(cells, 5)[0].holes.size(), 1U);
+  ASSERT_EQ(cellPieces(cells, 101).size(), 1U);
+  EXPECT_TRUE(cellPieces(cells, 101)[0].holes.empty());
+  EXPECT_DOUBLE_EQ(area(cellPieces(cells, 101)[0]), 900.0);
+}
+
 TEST(CellPieces, CellsThatShareACornerAreTwoPieces) {
   Cells cells;
   addRectangle(cells, 0, 0, 10, 10);
