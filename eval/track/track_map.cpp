@@ -5,31 +5,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "eval/track/contested_cells.h"
 #include "eval/track/grid_outline.h"
+#include "eval/track/plane_blocks.h"
 
 namespace epcc {
 namespace {
 
 constexpr int kSamplesAlong = 80;        // of an image's width
 constexpr double kSmallestArea = 0.004;  // of a piece or hole, square metres
-constexpr int kRowsInTurn = 3;           // a frame adds each third row of the raster, the next frame those below
+constexpr int kTurns = 3;                // a frame adds each third row of the raster, the next frame those below
 constexpr int kFewFrames = 10;           // below, once seen is enough
 
-/// Where the corners of a pixel of the raster meet the plane; false if it is seen too flatly.
-bool footprintOf(const PinholeCamera& camera, const Eigen::Vector4d& plane, int row, int column, double half,
-                 std::array<Eigen::Vector3d, 4>& corners) {
-  constexpr std::array<double, 4> kAcross = {-1, 1, 1, -1}, kDown = {-1, -1, 1, 1};
-  double nearest = 1e300, farthest = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector3d ray((column + half * kAcross[i] - camera.cx) / camera.fx,
-                              (row + half * kDown[i] - camera.cy) / camera.fy, 1.0);
-    const double z = -plane(3) / plane.head<3>().dot(ray);
-    if (!(z > 0.0 && std::isfinite(z))) return false;
-    nearest = std::min(nearest, z);
-    farthest = std::max(farthest, z);
-    corners[i] = z * ray;
-  }
-  return farthest < 1.5 * nearest;
+int stepOf(const PinholeCamera& camera) {
+  return std::max(1, camera.width / kSamplesAlong);
 }
 
 SurfaceRing ringOf(const std::vector<Eigen::Vector2d>& corners, const SurfaceGrid& grid, const PlaneBasis& basis) {
@@ -105,37 +94,99 @@ void TrackMap::countPixels(const std::vector<std::int32_t>& labels) {
   }
 }
 
-void TrackMap::add(const LabelledFrame& frame, const TrackedFrame& tracked) {
-  frames_ = (frames_ + 1) % kRowsInTurn;
-  const PinholeCamera& camera = frame.camera.camera;
-  const Eigen::Isometry3d to_map(tracked.pose.camera_to_map);
-  const Eigen::Matrix4d plane_to_map = to_map.matrix().inverse().transpose();
+void TrackMap::add(const LabelledFrame& frame, const TrackedFrame& tracked, const SensorModel& sensor) {
+  turn_ = (turn_ + 1) % kTurns;
   countPixels(tracked.labels);
-  const int step = std::max(1, camera.width / kSamplesAlong);
-  std::array<Eigen::Vector3d, 4> corners;
-  for (int row = step / 2 + frames_ * step; row < camera.height; row += kRowsInTurn * step)
-    for (int column = step / 2; column < camera.width; column += step) {
-      const std::size_t i =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(camera.width) + static_cast<std::size_t>(column);
-      const std::int32_t label = tracked.labels[i];
-      if (label <= 0) continue;
-      const Plane& plane = tracked.segmentation.planes[static_cast<std::size_t>(tracked.segmentation.labels[i]) - 1];
-      if (!footprintOf(camera, plane.coefficients, row, column, 0.5 * step, corners)) continue;
-      for (Eigen::Vector3d& corner : corners) corner = to_map * corner;
-      auto grid = grids_.find(label);
-      if (grid == grids_.end()) {
-        const Eigen::Vector4d in_map = plane_to_map * Eigen::Vector4d(plane.coefficients);
-        grid = grids_.emplace(label, SurfaceGrid(in_map, corners[0], cell_)).first;
-      }
-      grid->second.add(corners);
-    }
+  const PinholeCamera& camera = frame.camera.camera;
+  const std::vector<PlaneBlock> blocks =
+      planeBlocks(tracked.segmentation.labels, camera.width, camera.height, stepOf(camera), turn_, kTurns);
+  for (const PlaneBlock& block : blocks) add(block, frame, tracked, sensor);
+}
+
+void TrackMap::add(const PlaneBlock& block, const LabelledFrame& frame, const TrackedFrame& tracked,
+                   const SensorModel& sensor) {
+  const std::size_t own = static_cast<std::size_t>(block.plane) - 1;
+  const std::int32_t label = tracked.label_of_plane[own];
+  if (label <= 0) return;
+  addTo(gridOf(label, tracked, own), block, frame.camera.camera, tracked, own);
+
+  const int row = (block.top + block.bottom) / 2, column = (block.left + block.right) / 2;
+  const double depth = frame.depth.at(row, column);
+  if (!(depth > 0.0)) return;
+  const auto distance = [&](std::size_t plane) {  // of what was measured, in inverse depth
+    const Eigen::Vector4d q = tracked.segmentation.planes[plane].coefficients;
+    const PinholeCamera& camera = frame.camera.camera;
+    const Eigen::Vector3d ray((column - camera.cx) / camera.fx, (row - camera.cy) / camera.fy, 1.0);
+    return std::abs(-q.head<3>().dot(ray) / q(3) - 1.0 / depth);
+  };
+  const double own_distance = distance(own), range = range_ * sensor.sigmaInverseDepth(depth);
+  for (std::size_t plane = 0; plane < tracked.label_of_plane.size(); ++plane) {
+    const std::int32_t other = tracked.label_of_plane[plane];
+    if (other <= 0 || other == label) continue;
+    // Nearer to the other plane than to its own it says nothing against that one.
+    const double other_distance = distance(plane);
+    if (other_distance > range || other_distance < own_distance) continue;
+    auto seen_as = seen_as_.find({other, label});
+    if (seen_as == seen_as_.end())
+      seen_as = seen_as_.emplace(std::pair(other, label), gridOf(other, tracked, plane).blank()).first;
+    addTo(seen_as->second, block, frame.camera.camera, tracked, plane);
+  }
+}
+
+/// Where the pixels of a block are on a plane of the frame, whether or not they are that plane's.
+void TrackMap::addTo(SurfaceGrid& grid, const PlaneBlock& block, const PinholeCamera& camera,
+                     const TrackedFrame& tracked, std::size_t plane) {
+  const auto footprint = [&](const PlaneBlock& pixels) {
+    auto corners = footprintOf(pixels, camera, tracked.segmentation.planes[plane].coefficients);
+    if (corners)
+      for (Eigen::Vector3d& corner : *corners) corner = tracked.pose.camera_to_map * corner;
+    return corners;
+  };
+  // What is seen too flatly as a square is so in parts, too.
+  const auto square = footprint(squareAround(block, stepOf(camera)));
+  if (!square || !grid.isFine(*square)) return;
+  if (block.is_whole)
+    grid.add(*square, true);
+  else if (const auto part = footprint(block))
+    grid.add(*part, false);
+}
+
+/// That of a label; a new one lies on the plane as this frame has it.
+SurfaceGrid& TrackMap::gridOf(int label, const TrackedFrame& tracked, std::size_t plane) {
+  const auto known = grids_.find(label);
+  if (known != grids_.end()) return known->second;
+  const Eigen::Isometry3d to_map(tracked.pose.camera_to_map);
+  const Plane& own = tracked.segmentation.planes[plane];
+  const Eigen::Vector4d in_map = to_map.matrix().inverse().transpose() * Eigen::Vector4d(own.coefficients);
+  return grids_.emplace(label, SurfaceGrid(in_map, to_map * Eigen::Vector3d(own.centroid), cell_)).first->second;
+}
+
+/// What was seen of each track that goes on, with that of the tracks that became part of it.
+std::map<int, ClaimedSurface> TrackMap::surfaces(const std::vector<PlaneTrack>& tracks) const {
+  std::map<int, ClaimedSurface> surfaces;
+  for (const PlaneTrack& track : tracks) {
+    const auto grid = grids_.find(track.label);
+    if (track.end == TrackEnd::None && grid != grids_.end())
+      surfaces[track.label] = {track.plane.coefficients, grid->second, {}};
+  }
+  const std::map<int, int> now = finalLabels(tracks);
+  for (const auto& [label, final_label] : now) {
+    const auto part = grids_.find(label);
+    const auto whole = surfaces.find(final_label);
+    if (label != final_label && part != grids_.end() && whole != surfaces.end()) whole->second.seen.add(part->second);
+  }
+  for (const auto& [labels, seen] : seen_as_) {
+    const int label = now.at(labels.first), other = now.at(labels.second);
+    const auto surface = surfaces.find(label);
+    if (label == other || surface == surfaces.end() || surfaces.count(other) == 0) continue;
+    surface->second.seen_as.emplace(other, surface->second.seen.blank()).first->second.add(seen);
+  }
+  return surfaces;
 }
 
 std::vector<MappedTrack> TrackMap::tracks(const std::vector<PlaneTrack>& tracks) const {
-  const std::map<int, int> now = finalLabels(tracks);
-  std::map<int, std::vector<int>> parts;
-  for (const auto& [label, final_label] : now)
-    if (label != final_label) parts[final_label].push_back(label);
+  std::map<int, ClaimedSurface> going_on = surfaces(tracks);
+  settleContested(going_on);
   std::vector<MappedTrack> mapped;
   for (const PlaneTrack& track : tracks) {
     MappedTrack one;
@@ -143,15 +194,12 @@ std::vector<MappedTrack> TrackMap::tracks(const std::vector<PlaneTrack>& tracks)
     one.surface.label = track.label;
     const auto pixels = pixels_.find(track.label);
     if (pixels != pixels_.end()) one.pixels = pixels->second;
+    const auto surface = going_on.find(track.label);
     const auto grid = grids_.find(track.label);
-    if (grid != grids_.end()) {
-      SurfaceGrid whole = grid->second;
-      for (const int part : parts[track.label]) {
-        const auto of_part = grids_.find(part);
-        if (of_part != grids_.end()) whole.add(of_part->second);
-      }
-      one.surface = polygonOf(track, whole);
-    }
+    if (surface != going_on.end())
+      one.surface = polygonOf(track, surface->second.seen);
+    else if (grid != grids_.end())
+      one.surface = polygonOf(track, grid->second);
     mapped.push_back(std::move(one));
   }
   return mapped;

@@ -40,7 +40,10 @@ class LostCamera : public InputError {
 class TrackRun {
  public:
   TrackRun(const TrackOptions& options, const TrackInput& input, std::ostream& times)
-      : options_(options), input_(input), times_(times), map_(options.cell) {
+      : options_(options),
+        input_(input),
+        times_(times),
+        map_(options.cell, options.parameters.inverse_depth.expert.refinement.crease_range) {
     times_ << csvLine(kTimeColumns);
   }
 
@@ -65,7 +68,7 @@ class TrackRun {
     if (!isSomewhere(tracked_.pose.camera_to_map))
       throw LostCamera(read.frame.name, "pose",
                        "the camera was lost here; this frame and those behind it are left out");
-    map_.add(read.frame, tracked_);
+    map_.add(read.frame, tracked_, tracker_->sensor());
     const double map_ms = lapMs(start);
     writeLabels(read.frame);
     remember(read, i, track_ms);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -82,6 +83,50 @@ std::map<int, int> holders(const std::string& truth_folder, const std::string& f
                         return a.second < b.second;
                       })->first;
   return result;
+}
+
+/// The surface of a map that has the most area of those with this normal, and the corners of what holds it.
+struct MapSurface {
+  double area = 0.0;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e9), high = -low;
+};
+MapSurface largestSurface(const nlohmann::json& list, const Eigen::Vector3d& normal) {
+  MapSurface largest;
+  for (const nlohmann::json& track : list["tracks"]) {
+    const std::vector<double> plane = track["coefficients"];
+    if (normal.dot(Eigen::Vector3d(plane[0], plane[1], plane[2])) < 0.98 || track["area"] <= largest.area) continue;
+    largest = MapSurface();
+    largest.area = track["area"];
+    for (const nlohmann::json& piece : track["pieces"])
+      for (const std::vector<double> point : piece["outline"]) {
+        largest.low = largest.low.cwiseMin(Eigen::Vector3d(point[0], point[1], point[2]));
+        largest.high = largest.high.cwiseMax(Eigen::Vector3d(point[0], point[1], point[2]));
+      }
+  }
+  return largest;
+}
+
+/// Square metres of a surface of the truth on its plane in the world, by the cells of 2 cm that its pixels meet.
+double seenArea(const SceneSequence& sequence, std::size_t frames, std::uint16_t surface,
+                const Eigen::Vector4d& plane) {
+  constexpr double kTruthCell = 0.02;
+  std::set<std::array<long, 3>> cells;
+  for (std::size_t i = 0; i < frames; ++i) {
+    const LabelledFrame frame = sequence.frame(i);
+    const PinholeCamera& camera = frame.camera.camera;
+    const Eigen::Isometry3d pose = sequence.trajectory()[i].pose;
+    for (int row = 0; row < camera.height; ++row)
+      for (int column = 0; column < camera.width; ++column) {
+        if (frame.labels.at(row, column) != surface) continue;
+        const Eigen::Vector3d ray =
+            pose.linear() * Eigen::Vector3d((column - camera.cx) / camera.fx, (row - camera.cy) / camera.fy, 1.0);
+        const Eigen::Vector3d start = pose.translation();
+        const double z = -(plane.head<3>().dot(start) + plane(3)) / plane.head<3>().dot(ray);
+        const Eigen::Vector3d cell = (start + z * ray) / kTruthCell;
+        cells.insert({std::lround(cell.x()), std::lround(cell.y()), std::lround(cell.z())});
+      }
+  }
+  return kTruthCell * kTruthCell * static_cast<double>(cells.size());
 }
 
 TEST_F(TrackCommand, LeavesAllItsFiles) {
@@ -183,6 +228,28 @@ TEST_F(TrackCommand, TheMapIsTrue) {
     EXPECT_LT(deepest, 0.02);
   }
   EXPECT_TRUE(found);
+}
+
+TEST_F(TrackCommand, SurfacesOfTheMapEndAtEachOther) {
+  SequenceRecipe recipe;
+  recipe.scene = "c";
+  recipe.path = "walk";
+  recipe.frames = 40;
+  recipe.options.camera = sceneCamera(240, 135);
+  recipe.noise = parseNoise("white:0.002,0.002,0").value();
+  const SceneSequence sequence(recipe);
+  fs::create_directories(path("room"));
+  for (std::size_t i = 0; i < recipe.frames; ++i) writeLabelledFrame(path("room"), sequence.frame(i));
+  outputOf({path("room"), "--out", path("o")});
+  const MapSurface floor = largestSurface(tracks("o"), Eigen::Vector3d::UnitZ()),
+                   wall = largestSurface(tracks("o"), -Eigen::Vector3d::UnitY());
+  EXPECT_GT(wall.low.z(), floor.low.z() - 0.04) << "two cells: lines are drawn simpler by one";
+  const double floor_share = floor.area / seenArea(sequence, recipe.frames, 1, {0, 0, 1, 0}),
+               wall_share = wall.area / seenArea(sequence, recipe.frames, 2, {0, 1, 0, -wall.high.y()});
+  EXPECT_GT(floor_share, 0.97);
+  EXPECT_LT(floor_share, 1.05);
+  EXPECT_GT(wall_share, 0.97);
+  EXPECT_LT(wall_share, 1.03);
 }
 
 TEST_F(TrackCommand, MeasuresWithoutAndWithTheTracker) {
