@@ -70,17 +70,25 @@ SurfacePolygon polygonOf(const PlaneTrack& track, const SurfaceGrid& grid) {
   return surface;
 }
 
+/// Of each label itself, the one that its track became part of, the one that this became part of, and so on.
+std::map<int, std::vector<int>> chains(const std::vector<PlaneTrack>& tracks) {
+  std::map<int, int> into;
+  for (const PlaneTrack& track : tracks)
+    if (track.end == TrackEnd::Merged && track.merged_into > 0) into[track.label] = track.merged_into;
+  std::map<int, std::vector<int>> chains;
+  for (const PlaneTrack& track : tracks) {
+    std::vector<int>& chain = chains[track.label];
+    chain = {track.label};
+    while (into.count(chain.back()) != 0 && chain.size() <= into.size()) chain.push_back(into[chain.back()]);
+  }
+  return chains;
+}
+
 }  // namespace
 
 std::map<int, int> finalLabels(const std::vector<PlaneTrack>& tracks) {
-  std::map<int, int> into, final_labels;
-  for (const PlaneTrack& track : tracks)
-    if (track.end == TrackEnd::Merged && track.merged_into > 0) into[track.label] = track.merged_into;
-  for (const PlaneTrack& track : tracks) {
-    int label = track.label;
-    for (std::size_t steps = 0; into.count(label) != 0 && steps <= into.size(); ++steps) label = into[label];
-    final_labels[track.label] = label;
-  }
+  std::map<int, int> final_labels;
+  for (const auto& [label, chain] : chains(tracks)) final_labels[label] = chain.back();
   return final_labels;
 }
 
@@ -187,13 +195,18 @@ std::map<int, ClaimedSurface> TrackMap::surfaces(const std::vector<PlaneTrack>& 
 std::vector<MappedTrack> TrackMap::tracks(const std::vector<PlaneTrack>& tracks) const {
   std::map<int, ClaimedSurface> going_on = surfaces(tracks);
   settleContested(going_on);
+  std::map<int, long> pixels;
+  for (const auto& [label, chain] : chains(tracks)) {
+    const auto own = pixels_.find(label);
+    if (own == pixels_.end()) continue;
+    for (const int whole : chain) pixels[whole] += own->second;
+  }
   std::vector<MappedTrack> mapped;
   for (const PlaneTrack& track : tracks) {
     MappedTrack one;
     one.track = track;
+    one.pixels = pixels[track.label];
     one.surface.label = track.label;
-    const auto pixels = pixels_.find(track.label);
-    if (pixels != pixels_.end()) one.pixels = pixels->second;
     const auto surface = going_on.find(track.label);
     const auto grid = grids_.find(track.label);
     if (surface != going_on.end())

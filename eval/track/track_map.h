@@ -17,7 +17,7 @@ namespace epcc {
 /// A track as the files and pictures show it.
 struct MappedTrack {
   PlaneTrack track;
-  long pixels = 0;         ///< with its label, over all frames
+  long pixels = 0;         ///< with its label, over all frames, and with those of the tracks that became part of it
   SurfacePolygon surface;  ///< in the map's frame; without pieces if nothing of it was seen well
 };
 

@@ -18,8 +18,6 @@
 #include "datasets/files/png_io.h"
 #include "datasets/files/trajectory_file.h"
 #include "datasets/rendered/scene_sequence.h"
-#include "eval/track/map_picture.h"
-#include "eval/track/track_files.h"
 #include "tests/support/real_frames.h"
 #include "tests/support/run_tool.h"
 
@@ -423,61 +421,6 @@ TEST_F(TrackCommand, SaysWhatCannotBeReadOrWritten) {
 TEST_F(TrackCommand, HelpsAndNamesItsVersion) {
   EXPECT_NE(outputOf({"--help"}).find("--pose-free"), std::string::npos);
   EXPECT_EQ(outputOf({"--version"}).rfind("epcc_track ", 0), 0U);
-}
-
-PlaneTrack mergedTrack(int label, int into, long first, long last) {
-  PlaneTrack track;
-  track.label = label;
-  track.first_frame = first;
-  track.last_frame = last;
-  if (into > 0) {
-    track.end = TrackEnd::Merged;
-    track.merged_into = into;
-  }
-  return track;
-}
-
-TEST(FinalLabels, FollowTheTracksToTheirEnd) {
-  const std::map<int, int> now =
-      finalLabels({mergedTrack(1, 0, 0, 9), mergedTrack(2, 1, 0, 4), mergedTrack(3, 2, 0, 2), mergedTrack(4, 0, 0, 9)});
-  EXPECT_EQ(now, (std::map<int, int>{{1, 1}, {2, 1}, {3, 1}, {4, 4}}));
-}
-
-class RewrittenLabels : public TempFolderTest {};
-
-TEST_F(RewrittenLabels, BecomeThoseOfTheOther) {
-  for (const char* name : {"x", "y", "z"})
-    writeLastingLabels(path(std::string(name) + "_labels.png"), 4, 1, {0, 1, 2, 3});
-  const std::vector<PlaneTrack> tracks = {mergedTrack(1, 0, 0, 2), mergedTrack(2, 1, 1, 1), mergedTrack(3, 0, 0, 2)};
-  EXPECT_EQ(rewriteLabels(tracks, {"x", "y", "z"}, folder()), 1) << "only where it was seen";
-  EXPECT_EQ(readGray16(path("x_labels.png")).data, (std::vector<std::uint16_t>{0, 1, 2, 3}));
-  EXPECT_EQ(readGray16(path("y_labels.png")).data, (std::vector<std::uint16_t>{0, 1, 1, 3}));
-}
-
-TEST(MapPicture, ShowsWhatFacesTheViewer) {
-  MappedTrack floor;
-  floor.track.label = 3;
-  floor.track.plane.coefficients << 0, 0, 1, 0;
-  floor.surface.label = 3;
-  floor.surface.basis.normal = Vector3::UnitZ();
-  SurfacePiece piece;
-  piece.outline.points = {Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(4, 2, 0), Vector3(0, 2, 0)};
-  floor.surface.pieces = {piece};
-  MappedTrack ceiling = floor;
-  ceiling.track.label = 4;
-  ceiling.track.plane.coefficients << 0, 0, -1, 3;
-  ceiling.surface.basis.normal = -Vector3::UnitZ();
-  for (Vector3& point : ceiling.surface.pieces[0].outline.points) point.z() = 3;
-  const MapView above{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
-  const auto colored = [&](const std::vector<MappedTrack>& tracks) {
-    const ColorImage image = drawMap(tracks, {}, above, 400);
-    return std::count_if(image.data.begin(), image.data.end(), [](const Rgb& c) { return c.r != c.g || c.g != c.b; });
-  };
-  EXPECT_GT(colored({floor}), 50000);
-  EXPECT_EQ(colored({floor}), colored({floor, ceiling}));
-  EXPECT_EQ(colored({ceiling}), 0);
-  floor.track.end = TrackEnd::Clutter;
-  EXPECT_EQ(colored({floor}), 0);
 }
 
 }  // namespace
