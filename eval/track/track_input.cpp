@@ -11,6 +11,7 @@
 #include "datasets/sources/dataset_registry.h"
 #include "datasets/support/input_error.h"
 #include "datasets/support/number_text.h"
+#include "eval/track/earlier_run.h"
 
 namespace epcc {
 
@@ -23,6 +24,12 @@ TrackInput::TrackInput(const TrackOptions& options) : options_(options), source_
   count_ = (frames - options.first + options.every - 1) / options.every;
   if (options.count > 0) count_ = std::min(count_, options.count);
   if (!options.poses.empty()) poses_ = readTrajectory(options.poses);
+}
+
+std::vector<std::string> TrackInput::names() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count_; ++i) names.push_back(name(i));
+  return names;
 }
 
 double TrackInput::timeOf(const LabelledFrame& frame, std::size_t index) const {
@@ -61,6 +68,9 @@ std::string outputProblem(const TrackOptions& options, const TrackInput& input) 
   for (const fs::path& folder : folders)
     if (canonical(folder / "x").parent_path() == out)
       return "--out: " + options.out + " holds the frames: labels beside them would be taken for their truth";
+  const std::string foreign = foreignPicture(options.out, input.names());
+  if (!foreign.empty())
+    return "--out: " + options.out + " has " + foreign + ", which is of no frame of this run: choose another folder";
   return {};
 }
 

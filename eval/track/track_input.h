@@ -28,6 +28,7 @@ class TrackInput {
 
   std::size_t size() const { return count_; }
   std::string name(std::size_t i) const { return source_->name(indexOf(i)); }
+  std::vector<std::string> names() const;
   const FrameSource& source() const { return *source_; }
 
   /// Reads one. The time is "timestamp" of its JSON, else its name, if that is a number with a point as in TUM's data
@@ -45,7 +46,7 @@ class TrackInput {
   Trajectory poses_;
 };
 
-/// Empty, or why the outputs would take the place of inputs.
+/// Empty, or why the outputs would take the place of inputs, or stand beside those of another run.
 std::string outputProblem(const TrackOptions& options, const TrackInput& input);
 
 }  // namespace epcc

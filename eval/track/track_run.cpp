@@ -16,6 +16,7 @@
 #include "eval/program/lap_time.h"
 #include "eval/program/progress_line.h"
 #include "eval/report/table.h"
+#include "eval/track/earlier_run.h"
 #include "eval/track/track_files.h"
 #include "eval/track/waiting_labels.h"
 
@@ -68,6 +69,7 @@ class TrackRun {
     if (!isSomewhere(tracked_.pose.camera_to_map))
       throw LostCamera(read.frame.name, "pose",
                        "the camera was lost here; this frame and those behind it are left out");
+    if (result.names.empty()) removeEarlierRun(options_.out, input_.names());
     map_.add(read.frame, tracked_, tracker_->sensor());
     const double map_ms = lapMs(start);
     writeLabels(read.frame);

@@ -161,6 +161,33 @@ TEST_F(TrackCommand, ItsOwnTrajectoryIsNotOverwritten) {
   EXPECT_EQ(read("o/trajectory.txt"), before);
 }
 
+TEST_F(TrackCommand, LabelImagesOfOtherFramesAreNotJoined) {
+  outputOf({frames(), "--frames", "6", "--overlays", "--out", path("o")});
+  const std::string before = read("o/" + frameName(5) + "_labels.png"), list = read("o/tracks.json");
+  expectFailure({frames(), "--frames", "5", "--out", path("o")}, 2, frameName(5) + "_labels.png");
+  EXPECT_EQ(read("o/" + frameName(5) + "_labels.png"), before);
+  EXPECT_EQ(read("o/tracks.json"), list) << "nothing is touched";
+  fs::remove(path("o/" + frameName(5) + "_labels.png"));
+  expectFailure({frames(), "--frames", "5", "--out", path("o")}, 2, frameName(5) + "_overlay.png");
+}
+
+TEST_F(TrackCommand, NothingStaysOfAnEarlierRunOfTheSameFrames) {
+  fs::copy(frames(), path("frames"));
+  outputOf({path("frames"), "--frames", "6", "--overlays", "--out", path("o")});
+  write("o/notes.txt", "mine");
+  expectFailure(
+      {path("frames"), "--frames", "6", "--poses", write("late.txt", "9 1 2 3 0 0 0 1\n"), "--out", path("o")}, 3,
+      "none has the time of a frame");
+  EXPECT_TRUE(exists("o/" + frameName(2) + "_overlay.png")) << "as long as there is nothing else";
+  EXPECT_TRUE(exists("o/tracks.json"));
+  write("frames/" + frameName(2) + "_depth.png", "no picture");
+  EXPECT_EQ(run({path("frames"), "--frames", "6", "--out", path("o")}).exit_code, 3);
+  EXPECT_FALSE(exists("o/" + frameName(2) + "_labels.png"));
+  EXPECT_FALSE(exists("o/" + frameName(1) + "_overlay.png"));
+  EXPECT_TRUE(exists("o/" + frameName(1) + "_labels.png"));
+  EXPECT_EQ(read("o/notes.txt"), "mine");
+}
+
 TEST_F(TrackCommand, WhatIsNoNumberOrBelowNothingIsRefused) {
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--cell", "nan"},
                                                 {"--rate", "nan"},
