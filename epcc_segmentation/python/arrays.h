@@ -11,12 +11,20 @@
 
 namespace epcc::python {
 
-/// The vector's values as an array of the given shape, without a copy: `owner` holds the vector and lives on with it.
+/// The array, not to be written to, as none is that is read from a result: a view would no longer fit what else is told
+/// of the result, and in a copy that is made for each look the change would be lost.
+inline pybind11::array readOnly(pybind11::array array) {
+  pybind11::detail::array_proxy(array.ptr())->flags &= ~pybind11::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
+/// The vector's values as a read-only array of the given shape, without a copy: `owner` holds the vector and lives on
+/// with it.
 template <typename T>
 pybind11::array viewOf(const std::vector<T>& values, std::vector<pybind11::ssize_t> shape,
                        const pybind11::object& owner, const pybind11::dtype& dtype = pybind11::dtype::of<T>()) {
   static T none;  // an empty vector has no memory, and without memory pybind11 would not look but allocate
-  return pybind11::array(dtype, std::move(shape), {}, values.empty() ? &none : values.data(), owner);
+  return readOnly(pybind11::array(dtype, std::move(shape), {}, values.empty() ? &none : values.data(), owner));
 }
 
 /// "(480, 640, 3)".

@@ -3,6 +3,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include "arrays.h"
 #include "bindings.h"
 #include "errors.h"
 #include "frames.h"
@@ -50,12 +51,12 @@ CloudOptions options(const std::string& sensor, const std::optional<std::string>
   return options;
 }
 
-py::array_t<float> invalidPoints(const CloudGeometry& geometry) {
+py::array invalidPoints(const CloudGeometry& geometry) {
   py::array_t<float> points({static_cast<py::ssize_t>(geometry.invalid_points.size()), static_cast<py::ssize_t>(3)});
   float* next = points.mutable_data();
   for (const Vector3f& point : geometry.invalid_points)
     for (int i = 0; i < 3; ++i) *next++ = point(i);
-  return points;
+  return readOnly(std::move(points));
 }
 
 std::string text(const CloudGeometry& g) {

@@ -42,10 +42,8 @@ std::vector<std::vector<PixelContour>> allContoursOf(const py::array& labels, in
 
 py::array points(const py::object& self) {
   const auto& contour = self.cast<const PixelContour&>();
-  static const int none = 0;
-  const void* data = contour.points.empty() ? &none : contour.points.front().data();
-  return {
-      py::dtype::of<std::int32_t>(), {static_cast<py::ssize_t>(contour.points.size()), py::ssize_t{2}}, {}, data, self};
+  return viewOf(contour.points, {static_cast<py::ssize_t>(contour.points.size()), py::ssize_t{2}}, self,
+                py::dtype::of<std::int32_t>());
 }
 
 }  // namespace

@@ -111,13 +111,12 @@ void bindTrack(py::module_& module) {
   py::class_<PlaneTrack>(module, "PlaneTrack", "A plane of a PlaneTracker's map.")
       .def_readonly("label", &PlaneTrack::label, "From 1, for life.")
       .def_property_readonly(
-          "coefficients", [](const PlaneTrack& t) { return Vector4(t.plane.coefficients); },
+          "coefficients", [](const PlaneTrack& t) -> const Vector4& { return t.plane.coefficients; },
           "(a, b, c, d), metres, map: a x + b y + c z + d = 0, unit normal to the side that it is seen from.")
       .def_property_readonly(
-          "coefficients_covariance", [](const PlaneTrack& t) { return Matrix4(t.plane.covariance); },
+          "coefficients_covariance", [](const PlaneTrack& t) -> const Matrix4& { return t.plane.covariance; },
           "Their covariance, 4 x 4, of rank 3.")
-      .def_property_readonly(
-          "centroid", [](const PlaneTrack& t) { return Vector3(t.centroid); }, "Of what was seen of it, metres, map.")
+      .def_readonly("centroid", &PlaneTrack::centroid, "Of what was seen of it, metres, map.")
       .def_readonly("first_frame", &PlaneTrack::first_frame, "Frames are counted from 0.")
       .def_readonly("last_frame", &PlaneTrack::last_frame, "The last frame that it was seen in.")
       .def_readonly("first_time", &PlaneTrack::first_time, "Seconds, as given.")
@@ -149,13 +148,13 @@ A view on the result's memory, without a copy.)")
           "segmentation", [](Tracked& t) -> Segmentation& { return *t.segmentation; },
           "The PlaneSegmentation of this frame alone, in the camera's frame.")
       .def_property_readonly(
-          "pose", [](const Tracked& t) { return Eigen::Matrix4d(t.data.pose.camera_to_map.matrix()); },
+          "pose", [](const Tracked& t) -> const Isometry3::MatrixType& { return t.data.pose.camera_to_map.matrix(); },
           "4 x 4, camera to map, by the given or expected pose and the planes together.")
       .def_property_readonly(
-          "pose_covariance", [](const Tracked& t) { return Matrix6(t.data.pose.covariance); },
+          "pose_covariance", [](const Tracked& t) -> const Matrix6& { return t.data.pose.covariance; },
           "6 x 6, of a turn (rad) and then a shift (metres) in the camera's frame.")
       .def_property_readonly(
-          "pose_information", [](const Tracked& t) { return Matrix6(t.data.pose_information); },
+          "pose_information", [](const Tracked& t) -> const Matrix6& { return t.data.pose_information; },
           "What the planes alone say of the pose, the inverse of such a covariance; singular where they leave a "
           "direction open.")
       .def(

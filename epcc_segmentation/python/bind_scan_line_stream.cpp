@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "arrays.h"
 #include "bindings.h"
 #include "line_stream.h"
 #include "sensors.h"
@@ -38,21 +39,21 @@ std::unique_ptr<LineStream> stream(const StreamGeometry& geometry, const std::sh
 }
 
 /// N x 3: first, last, plane.
-py::array_t<std::int64_t> runsOf(const OwnedLine& line) {
+py::array runsOf(const OwnedLine& line) {
   py::array_t<std::int64_t> runs({static_cast<py::ssize_t>(line.runs.size()), py::ssize_t{3}});
   std::int64_t* next = runs.mutable_data();
   for (const LabelRun& run : line.runs)
     for (const std::int64_t value : {std::int64_t{run.first}, std::int64_t{run.last}, run.plane}) *next++ = value;
-  return runs;
+  return readOnly(std::move(runs));
 }
 
 /// One a sample, 0 for no plane.
-py::array_t<std::int64_t> labelsOf(const OwnedLine& line) {
+py::array labelsOf(const OwnedLine& line) {
   py::array_t<std::int64_t> labels(line.height);
   std::int64_t* label = labels.mutable_data();
   std::fill_n(label, line.height, 0);
   for (const LabelRun& run : line.runs) std::fill(label + run.first, label + run.last + 1, run.plane);
-  return labels;
+  return readOnly(std::move(labels));
 }
 
 void bindHandedOut(py::module_& module) {

@@ -52,8 +52,13 @@ bool add(Pool& pool, const py::object& data, const Camera& camera, Scale depth_s
   return pool.measure.run([&](SensorPool& frames) { return frames.add(frame.frame); });
 }
 
-py::array copied(const std::vector<double>& values) {
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+/// A property that looks at one of a measurement's vectors.
+template <typename T>
+py::cpp_function viewer(std::vector<T> SensorMeasurement::*values) {
+  return [values](const py::object& self) {
+    const std::vector<T>& own = self.cast<const SensorMeasurement&>().*values;
+    return viewOf(own, {static_cast<py::ssize_t>(own.size())}, self);
+  };
 }
 
 void bindEstimate(py::module_& module) {
@@ -77,19 +82,10 @@ void bindMeasurement(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(SensorMeasurement::Bin, depth, error, sigma, blocks);
   py::class_<SensorMeasurement>(module, "SensorMeasurement", "An estimate and what it comes from, for reports.")
       .def_readonly("estimate", &SensorMeasurement::estimate, "The SensorEstimate.")
+      .def_property_readonly("blocks", viewer(&SensorMeasurement::blocks),
+                             "Blocks of the image: depth (metres) and residual (rms that a quadric leaves, metres).")
       .def_property_readonly(
-          "blocks",
-          [](const py::object& self) {
-            const auto& blocks = self.cast<const SensorMeasurement&>().blocks;
-            return viewOf(blocks, {static_cast<py::ssize_t>(blocks.size())}, self);
-          },
-          "Blocks of the image: depth (metres) and residual (rms that a quadric leaves, metres).")
-      .def_property_readonly(
-          "bins",
-          [](const py::object& self) {
-            const auto& bins = self.cast<const SensorMeasurement&>().bins;
-            return viewOf(bins, {static_cast<py::ssize_t>(bins.size())}, self);
-          },
+          "bins", viewer(&SensorMeasurement::bins),
           "Ranges of depths: depth, error (its standard deviation), sigma (what the model says), all metres, and "
           "blocks.")
       .def_readonly("grain", &SensorMeasurement::grain, "Variance of the grain, in a block's mean square.")
@@ -97,12 +93,10 @@ void bindMeasurement(py::module_& module) {
       .def_readonly("sides", &SensorMeasurement::sides, "Sides of the parts of a block, pixels.")
       .def_readonly("kept", &SensorMeasurement::kept, "Mean squares that quadrics in parts of these sides leave.")
       .def_readonly("kept_fit", &SensorMeasurement::kept_fit, "What grain and blotches say of them.")
-      .def_property_readonly(
-          "correlation", [](const SensorMeasurement& m) { return copied(m.correlation); },
-          "Autocorrelation of the residuals at lags of 0, 1, ... pixels.")
-      .def_property_readonly(
-          "correlation_fit", [](const SensorMeasurement& m) { return copied(m.correlation_fit); },
-          "What grain and blotches say of it.");
+      .def_property_readonly("correlation", viewer(&SensorMeasurement::correlation),
+                             "Autocorrelation of the residuals at lags of 0, 1, ... pixels.")
+      .def_property_readonly("correlation_fit", viewer(&SensorMeasurement::correlation_fit),
+                             "What grain and blotches say of it.");
 }
 
 }  // namespace
