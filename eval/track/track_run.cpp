@@ -86,6 +86,9 @@ class TrackRun {
     result.error_scale = tracker_->errorScale();
   }
 
+  /// Writes what is known of frames whose labels wait.
+  void rescue() noexcept { waiting_.rescue(); }
+
   TrackResult result;
 
  private:
@@ -143,6 +146,25 @@ class TrackRun {
   WaitingLabels waiting_;
 };
 
+void takeAll(TrackRun& run, const TrackInput& input, std::ostream& err) {
+  ProgressLine progress(err);
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    try {
+      run.take(i);
+    } catch (const LostCamera& error) {
+      progress.clear();
+      reportProblem("epcc_track", err, error.what(), kExitInput);
+      ++run.result.problems;
+      break;
+    } catch (const InputError& error) {
+      progress.clear();
+      reportProblem("epcc_track", err, error.what(), kExitInput);
+      ++run.result.problems;
+    }
+    progress.show(i + 1, input.size());
+  }
+}
+
 }  // namespace
 
 TrackResult runTracker(const TrackOptions& options, const TrackInput& input, std::ostream& err) {
@@ -151,23 +173,13 @@ TrackResult runTracker(const TrackOptions& options, const TrackInput& input, std
   writeAtomically(times, [&](const std::string& temporary) {
     std::ofstream file(temporary, std::ios::binary);
     TrackRun run(options, input, file);
-    ProgressLine progress(err);
-    for (std::size_t i = 0; i < input.size(); ++i) {
-      try {
-        run.take(i);
-      } catch (const LostCamera& error) {
-        progress.clear();
-        reportProblem("epcc_track", err, error.what(), kExitInput);
-        ++run.result.problems;
-        break;
-      } catch (const InputError& error) {
-        progress.clear();
-        reportProblem("epcc_track", err, error.what(), kExitInput);
-        ++run.result.problems;
-      }
-      progress.show(i + 1, input.size());
+    try {
+      takeAll(run, input, err);
+      run.finish();
+    } catch (...) {  // memory that ran out, or what cannot be written
+      run.rescue();
+      throw;
     }
-    run.finish();
     file.close();
     if (!file) throw OutputError(times, "file", "cannot be written");
     result = std::move(run.result);

@@ -20,6 +20,9 @@ class WaitingLabels {
   void add(const std::string& path, int width, const TrackedFrame& tracked, const PlaneTracker& tracker);
   /// Writes all of them, planes without a label as none.
   void writeAll(const PlaneTracker& tracker);
+  /// The same where the run ends early, by the labels that were known when the last frame was added: what has ended it
+  /// may have taken the tracker's map. Images that cannot be written, as on a disk that is full, are left out.
+  void rescue() noexcept;
 
  private:
   struct Frame {
@@ -27,8 +30,10 @@ class WaitingLabels {
     int width = 0;
     std::vector<std::int32_t> planes;  ///< row-major, the frame's own, 0 none
     std::vector<int> track_of_plane;
+    std::vector<std::int32_t> label_of_plane;  ///< as far as they are known
   };
-  static bool writeIfKnown(const Frame& frame, const PlaneTracker& tracker, bool wait);
+  static bool update(Frame& frame, const PlaneTracker& tracker);
+  static void write(const Frame& frame);
 
   std::list<Frame> frames_;
 };
