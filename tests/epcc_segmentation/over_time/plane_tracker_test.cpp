@@ -13,33 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "over_time/plane_motion.h"
-#include "tests/support/rendered_room.h"
+#include "tests/epcc_segmentation/over_time/walked_room.h"
 
 namespace epcc {
 namespace {
-
-const SensorModel kSensor = SensorModel::axial(0.0005, 0.001, 0.0);
-
-/// Along a gentle curve, looking about.
-Eigen::Isometry3d cameraAt(int frame) {
-  const double t = 0.05 * frame;
-  Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
-  camera.linear() = (Eigen::AngleAxisd(0.15 * std::sin(t), Eigen::Vector3d::UnitY()) *
-                     Eigen::AngleAxisd(0.08 * std::sin(0.7 * t), Eigen::Vector3d::UnitX()))
-                        .toRotationMatrix();
-  camera.translation() << 0.2 * std::sin(0.9 * t), 0.05 * std::sin(1.3 * t), 0.15 * (1.0 - std::cos(t));
-  return camera;
-}
-
-/// What the camera sees of the corner of a room, with error.
-test::RenderedRoom roomFrom(const Eigen::Isometry3d& camera, unsigned seed) {
-  std::vector<Eigen::Vector4d> planes;
-  for (const Eigen::Vector4d& plane : test::cornerPlanes()) planes.push_back(planeSeenFrom(camera, plane));
-  test::RenderedRoom room = test::renderRoom(planes, test::testCamera());
-  test::addNoise(room, kSensor, seed);
-  return room;
-}
 
 /// Which labels each true surface had over the frames, with so many pixels.
 using LabelsOfSurfaces = std::map<std::int32_t, std::set<std::int32_t>>;
@@ -53,12 +30,12 @@ void noteLabels(const test::RenderedRoom& room, const TrackedFrame& tracked, Lab
 }
 
 TEST(PlaneTracker, EachSurfaceHasOneLabelForLife) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   TrackedFrame tracked;
   LabelsOfSurfaces labels;
   for (int k = 0; k < 60; ++k) {
-    const test::RenderedRoom room = roomFrom(cameraAt(k), static_cast<unsigned>(k));
-    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(k)), k / 30.0, tracked)) << tracker.error();
+    const test::RenderedRoom room = test::roomFrom(test::cameraAt(k), static_cast<unsigned>(k));
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(test::cameraAt(k)), k / 30.0, tracked)) << tracker.error();
     ASSERT_EQ(tracked.labels.size(), room.labels.size());
     if (k < 2) {
       EXPECT_EQ(std::count(tracked.labels.begin(), tracked.labels.end(), 0),
@@ -88,11 +65,11 @@ TEST(PlaneTracker, EachSurfaceHasOneLabelForLife) {
 
 /// What is open in the third frame of a camera at rest before some of the planes of the corner of a room.
 std::vector<Vector3> openBefore(const std::vector<Eigen::Vector4d>& planes) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   TrackedFrame tracked;
   for (unsigned k = 0; k < 3; ++k) {
     test::RenderedRoom room = test::renderRoom(planes, test::testCamera());
-    test::addNoise(room, kSensor, k);
+    test::addNoise(room, test::kRoomSensor, k);
     EXPECT_TRUE(tracker.track(room.frame(), std::nullopt, 0.1 * k, tracked)) << tracker.error();
   }
   return openDirections(tracked.pose_information);
@@ -116,15 +93,16 @@ TEST(PlaneTracker, SaysWhatThePlanesLeaveOpen) {
 }
 
 TEST(PlaneTracker, TellsLaterWhatPlanesWithoutALabelBecame) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   TrackedFrame first, tracked;
   EXPECT_FALSE(tracker.labelOf(0)) << "no frame yet";
-  const test::RenderedRoom room = roomFrom(cameraAt(0), 0);
-  ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), 0.0, first)) << tracker.error();
+  const test::RenderedRoom room = test::roomFrom(test::cameraAt(0), 0);
+  ASSERT_TRUE(tracker.track(room.frame(), Isometry3(test::cameraAt(0)), 0.0, first)) << tracker.error();
   ASSERT_EQ(first.track_of_plane.size(), first.segmentation.planes.size());
   for (const int track : first.track_of_plane) EXPECT_FALSE(tracker.labelOf(track));
   for (int k = 1; k < 4; ++k)
-    ASSERT_TRUE(tracker.track(roomFrom(cameraAt(k), 1U).frame(), Isometry3(cameraAt(k)), k / 30.0, tracked));
+    ASSERT_TRUE(
+        tracker.track(test::roomFrom(test::cameraAt(k), 1U).frame(), Isometry3(test::cameraAt(k)), k / 30.0, tracked));
   std::set<std::int32_t> labels(tracked.label_of_plane.begin(), tracked.label_of_plane.end());
   for (const int track : first.track_of_plane) EXPECT_EQ(labels.erase(tracker.labelOf(track).value_or(0)), 1U);
   EXPECT_FALSE(tracker.labelOf(-1));
@@ -132,10 +110,10 @@ TEST(PlaneTracker, TellsLaterWhatPlanesWithoutALabelBecame) {
 }
 
 TEST(PlaneTracker, WhatIsNotSeenAgainEndsWithoutALabel) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   TrackedFrame first, next;
   const Isometry3 camera = Isometry3::Identity();
-  ASSERT_TRUE(tracker.track(roomFrom(cameraAt(0), 0).frame(), camera, 0.0, first));
+  ASSERT_TRUE(tracker.track(test::roomFrom(test::cameraAt(0), 0).frame(), camera, 0.0, first));
   ASSERT_FALSE(first.track_of_plane.empty());
   const std::vector<float> nothing(first.labels.size(), 0.0F);
   ASSERT_TRUE(tracker.track(DepthFrame::fromDepth(nothing.data(), test::testCamera()), camera, 0.1, next));
@@ -143,14 +121,14 @@ TEST(PlaneTracker, WhatIsNotSeenAgainEndsWithoutALabel) {
 }
 
 TEST(PlaneTracker, WithoutPosesTheCameraIsFoundByThePlanes) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   TrackedFrame tracked;
   LabelsOfSurfaces labels;
   for (int k = 0; k < 60; ++k) {
-    const test::RenderedRoom room = roomFrom(cameraAt(k), static_cast<unsigned>(k));
-    const std::optional<Isometry3> pose = k == 0 ? std::optional<Isometry3>(cameraAt(0)) : std::nullopt;
+    const test::RenderedRoom room = test::roomFrom(test::cameraAt(k), static_cast<unsigned>(k));
+    const std::optional<Isometry3> pose = k == 0 ? std::optional<Isometry3>(test::cameraAt(0)) : std::nullopt;
     ASSERT_TRUE(tracker.track(room.frame(), pose, k / 30.0, tracked)) << tracker.error();
-    const Eigen::Isometry3d error = cameraAt(k).inverse() * Eigen::Isometry3d(tracked.pose.camera_to_map);
+    const Eigen::Isometry3d error = test::cameraAt(k).inverse() * Eigen::Isometry3d(tracked.pose.camera_to_map);
     ASSERT_LT(error.translation().norm(), 0.01) << k;
     ASSERT_LT(Eigen::AngleAxisd(error.linear()).angle(), 0.005) << k;
     noteLabels(room, tracked, labels);
@@ -159,14 +137,14 @@ TEST(PlaneTracker, WithoutPosesTheCameraIsFoundByThePlanes) {
 }
 
 TEST(PlaneTracker, APlaneThatComesBackHasItsLabel) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   TrackedFrame tracked;
   LabelsOfSurfaces labels;
   for (int k = 0; k < 40; ++k) {  // away to the side for ten frames
     Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
     const double turn = k < 10 ? 0.0 : k < 20 ? 0.12 * (k - 10) : k < 30 ? 0.12 * (30 - k) : 0.0;
     camera.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitX()).toRotationMatrix();
-    const test::RenderedRoom room = roomFrom(camera, static_cast<unsigned>(k));
+    const test::RenderedRoom room = test::roomFrom(camera, static_cast<unsigned>(k));
     ASSERT_TRUE(tracker.track(room.frame(), Isometry3(camera), k / 30.0, tracked)) << tracker.error();
     noteLabels(room, tracked, labels);
   }
@@ -174,16 +152,16 @@ TEST(PlaneTracker, APlaneThatComesBackHasItsLabel) {
 }
 
 TEST(PlaneTracker, AJumpOfGivenPosesIsNotedAndTheMapStays) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   TrackedFrame tracked;
   LabelsOfSurfaces labels;
   Eigen::Isometry3d jump = Eigen::Isometry3d::Identity();
   for (int k = 0; k < 60; ++k) {
     if (k == 25) jump.translation() << 0.3, -0.1, 0.4;
-    const test::RenderedRoom room = roomFrom(cameraAt(k), static_cast<unsigned>(k));
-    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(jump * cameraAt(k)), k / 30.0, tracked)) << tracker.error();
+    const test::RenderedRoom room = test::roomFrom(test::cameraAt(k), static_cast<unsigned>(k));
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(jump * test::cameraAt(k)), k / 30.0, tracked)) << tracker.error();
     EXPECT_EQ(tracked.pose_jumped, k == 25) << k;
-    const Eigen::Isometry3d error = cameraAt(k).inverse() * Eigen::Isometry3d(tracked.pose.camera_to_map);
+    const Eigen::Isometry3d error = test::cameraAt(k).inverse() * Eigen::Isometry3d(tracked.pose.camera_to_map);
     EXPECT_LT(error.translation().norm(), 0.02) << k;
     noteLabels(room, tracked, labels);
   }
@@ -192,12 +170,12 @@ TEST(PlaneTracker, AJumpOfGivenPosesIsNotedAndTheMapStays) {
 }
 
 TEST(PlaneTracker, AHastyMoveOfTheCameraIsNoJump) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   TrackedFrame tracked;
   LabelsOfSurfaces labels;
   for (int k = 0; k < 40; ++k) {
-    const Eigen::Isometry3d camera = cameraAt(k < 20 ? k : k + 30);  // as if a second of frames were lost
-    const test::RenderedRoom room = roomFrom(camera, static_cast<unsigned>(k));
+    const Eigen::Isometry3d camera = test::cameraAt(k < 20 ? k : k + 30);  // as if a second of frames were lost
+    const test::RenderedRoom room = test::roomFrom(camera, static_cast<unsigned>(k));
     ASSERT_TRUE(tracker.track(room.frame(), Isometry3(camera), k / 30.0, tracked)) << tracker.error();
     EXPECT_FALSE(tracked.pose_jumped) << k;
     noteLabels(room, tracked, labels);
@@ -205,70 +183,23 @@ TEST(PlaneTracker, AHastyMoveOfTheCameraIsNoJump) {
   for (const auto& [surface, numbers] : labels) EXPECT_EQ(numbers.size(), 1u) << surface;
 }
 
-TEST(PlaneTracker, WhatIsNewIsFoundBetweenSearches) {
-  TrackerParameters rarely;
-  rarely.search_frames = 1000;
-  PlaneTracker tracker(rarely, Parameters(), kSensor);
-  TrackedFrame tracked;
-  std::int32_t label = 0;
-  for (int k = 0; k < 16; ++k) {
-    test::RenderedRoom room = roomFrom(cameraAt(0), static_cast<unsigned>(k));
-    const int width = room.camera.width, height = room.camera.height;
-    if (k >= 8)  // something comes into the picture
-      for (int row = height / 4; row < height / 2; ++row)
-        for (int column = width / 4; column < width / 2; ++column)
-          room.depth[static_cast<std::size_t>(row * width + column)] = 0.6f;
-    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), k / 30.0, tracked)) << tracker.error();
-    label = tracked.labels[static_cast<std::size_t>(3 * height / 8 * width + 3 * width / 8)];
-  }
-  EXPECT_GT(label, static_cast<std::int32_t>(test::cornerPlanes().size()));
-}
-
-TEST(PlaneTracker, LittleThatIsNewWaitsAFewFramesAndIsFoundThen) {
-  TrackerParameters rarely;
-  rarely.search_frames = 1000;
-  PlaneTracker tracker(rarely, Parameters(), kSensor);
-  TrackedFrame tracked;
-  int first = -1;
-  for (int k = 0; k < 20; ++k) {
-    test::RenderedRoom room = roomFrom(cameraAt(0), static_cast<unsigned>(k));
-    if (k >= 8) test::addBoard(room, 40, 60, 20);  // a fiftieth of the frame
-    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), k / 30.0, tracked)) << tracker.error();
-    if (first < 0 && k >= 8 && tracked.segmentation.labels[50 * 160 + 70] > 0) first = k;
-    EXPECT_TRUE(first < 0 || tracked.segmentation.labels[50 * 160 + 70] > 0) << k;
-  }
-  EXPECT_GE(first, 8);
-  EXPECT_LE(first, 12);
-}
-
-TEST(PlaneTracker, WhatIsNewAndLargeDoesNotWait) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
-  TrackedFrame tracked;
-  for (int k = 0; k < 15; ++k) {
-    test::RenderedRoom room = roomFrom(cameraAt(0), static_cast<unsigned>(k));
-    if (k >= 13) test::addBoard(room, 20, 40, 80);
-    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), k / 30.0, tracked)) << tracker.error();
-    EXPECT_GT(tracked.segmentation.labels[60 * 160 + 80], 0) << k;
-  }
-}
-
 TEST(PlaneTracker, TheSameFramesGiveTheSameLabels) {
   std::vector<std::int32_t> first;
   for (int run = 0; run < 2; ++run) {
-    PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+    PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
     TrackedFrame tracked;
     for (int k = 0; k < 12; ++k)
-      ASSERT_TRUE(tracker.track(roomFrom(cameraAt(k), static_cast<unsigned>(k)).frame(), Isometry3(cameraAt(k)),
-                                k / 30.0, tracked));
+      ASSERT_TRUE(tracker.track(test::roomFrom(test::cameraAt(k), static_cast<unsigned>(k)).frame(),
+                                Isometry3(test::cameraAt(k)), k / 30.0, tracked));
     if (run == 0) first = tracked.labels;
     EXPECT_EQ(tracked.labels, first);
   }
 }
 
 TEST(PlaneTracker, NonsenseIsRefusedAndTheNextFrameIsTaken) {
-  const test::RenderedRoom room = roomFrom(cameraAt(0), 1);
+  const test::RenderedRoom room = test::roomFrom(test::cameraAt(0), 1);
   TrackedFrame tracked;
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   Isometry3 pose = Isometry3::Identity();
   pose(0, 3) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(tracker.track(room.frame(), pose, 0.0, tracked));
@@ -291,7 +222,7 @@ TEST(PlaneTracker, NonsenseIsRefusedAndTheNextFrameIsTaken) {
 
   TrackerParameters wrong;
   wrong.confirm_frames = 0;
-  PlaneTracker refused(wrong, Parameters(), kSensor);
+  PlaneTracker refused(wrong, Parameters(), test::kRoomSensor);
   EXPECT_FALSE(refused.track(room.frame(), std::nullopt, 0.0, tracked));
   EXPECT_EQ(refused.error(), "confirm_frames must be from 1 to 1000 frames");
   wrong = TrackerParameters();
@@ -300,23 +231,23 @@ TEST(PlaneTracker, NonsenseIsRefusedAndTheNextFrameIsTaken) {
 }
 
 TEST(PlaneTracker, InThePaperModePlanesAreFoundByTheirPlace) {
-  PlaneTracker tracker(TrackerParameters(), Parameters::forPaper(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters::forPaper(), test::kRoomSensor);
   TrackedFrame tracked;
   for (int k = 0; k < 6; ++k)
-    ASSERT_TRUE(tracker.track(roomFrom(cameraAt(0), static_cast<unsigned>(k)).frame(), Isometry3(cameraAt(0)), k / 30.0,
-                              tracked));
+    ASSERT_TRUE(tracker.track(test::roomFrom(test::cameraAt(0), static_cast<unsigned>(k)).frame(),
+                              Isometry3(test::cameraAt(0)), k / 30.0, tracked));
   EXPECT_GE(tracker.tracks().size(), test::cornerPlanes().size());
   EXPECT_GT(*std::max_element(tracked.labels.begin(), tracked.labels.end()), 0);
 }
 
 TEST(PlaneTracker, AnEmptyFrameBetweenOthersLosesNothing) {
-  PlaneTracker tracker(TrackerParameters(), Parameters(), kSensor);
+  PlaneTracker tracker(TrackerParameters(), Parameters(), test::kRoomSensor);
   TrackedFrame tracked;
   LabelsOfSurfaces labels;
   for (int k = 0; k < 20; ++k) {
-    test::RenderedRoom room = roomFrom(cameraAt(0), static_cast<unsigned>(k));
+    test::RenderedRoom room = test::roomFrom(test::cameraAt(0), static_cast<unsigned>(k));
     if (k == 10) std::fill(room.depth.begin(), room.depth.end(), 0.0f);
-    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(cameraAt(0)), k / 30.0, tracked)) << tracker.error();
+    ASSERT_TRUE(tracker.track(room.frame(), Isometry3(test::cameraAt(0)), k / 30.0, tracked)) << tracker.error();
     noteLabels(room, tracked, labels);
   }
   for (const auto& [surface, numbers] : labels) EXPECT_EQ(numbers.size(), 1u) << surface;
