@@ -39,14 +39,12 @@ SensorModel adapted(const SensorModel& given, const SensorEstimate& measured, co
   if (ratios.empty()) return given;
   const SensorModel result = given.scaled(pull(std::sqrt(quantile(ratios, 0.5)), 1.0));
   if (!image.planar_rows) return result;  // a scanner's length is not measured
-  // A measured model has a length even where there is nothing but grain. A given one is right without.
-  const double most = measured.correlation_length;
-  const double least = measured.blotch_share > 0.0 ? std::min(most, lengthOfError(measured.effective_length)) : 0.0;
-  const double length = given.correlationLength();
-  const double wanted = std::clamp(length, least, most);
-  if (wanted == length) return result;
-  const double from = std::max(kLengthOfGrain, length);
-  return result.withCorrelationLength(from * pull(wanted, from));
+  // From the length of the error to that of a model of it, which is longer for safety, a given one is right.
+  const double length = std::max(kLengthOfGrain, given.correlationLength());
+  const double shortest = measured.effective_length,
+               longest = std::max(measured.correlation_length, lengthOfError(shortest));
+  if (pull(std::clamp(length, shortest, longest), length) == 1.0) return result;
+  return result.withCorrelationLength(length * pull(measured.correlation_length, length));
 }
 
 }  // namespace epcc
