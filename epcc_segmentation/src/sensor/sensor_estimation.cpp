@@ -51,12 +51,6 @@ double lengthOfModel(double effective_length, const InverseDepthImage& image) {
   return std::min(length, largestLength(width, height));
 }
 
-/// Whether blocks of half the size tell clutter from error. Small ones of a scan do not: streets and facades are rough
-/// at any size. With them two street scans lost three of 13 surfaces.
-bool isGuarded(int block_size, const InverseDepthImage& image) {
-  return block_size == kLargeBlock || image.planar_rows;
-}
-
 /// Where nothing was measured.
 SensorEstimate genericEstimate(const InverseDepthImage& image) {
   SensorEstimate estimate;
@@ -96,7 +90,7 @@ void ImageEstimation::begin(int block_size) {
 
 void ImageEstimation::measure(const InverseDepthImage& image, const Turn& turn) {
   blocks_.measure(image, turn);
-  if (isGuarded(blocks_.blockSize(), image)) halves_.measure(image, turn);
+  if (blocks_.blockSize() == kLargeBlock) halves_.measure(image, turn);
 }
 
 SensorEstimate ImageEstimation::share(const InverseDepthImage& image, const Turn& turn) {
@@ -127,7 +121,7 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     blotchy = blotches_.share;
     // Grain is an error along the ray, blotches are one across the surface.
     bins_.findDeviations(sigma, 1.0 - blotchy);
-    if (isGuarded(blocks_.blockSize(), image)) bins_.guardAgainstClutter(halves_.flat(), 1.0 - blotchy, kept_.back());
+    if (blocks_.blockSize() == kLargeBlock) bins_.guardAgainstClutter(halves_.flat(), 1.0 - blotchy, kept_.back());
     result.blotch_length = blotches_.length;
     result.blotch_share = blotches_.share;
     result.effective_length = effective_length;
