@@ -82,11 +82,18 @@ std::string trackSummary(const TrackOptions& options, const TrackResult& result)
   text += line(
       "%zu tracks: %ld go on, %ld became part of another, %ld turned out to be clutter; %.2f ms a frame (median)\n",
       result.tracks.size(), going_on, merged, clutter, 1e-3 * result.microseconds.median().value_or(0.0));
-  const auto open =
-      std::count_if(result.open.begin(), result.open.end(), [](int directions) { return directions > 0; });
+  const bool given = !result.truth.empty() && !options.pose_free;
+  // Before the first frame there is no map.
+  const auto open = std::count_if(result.open.begin() + (result.open.empty() ? 0 : 1), result.open.end(),
+                                  [](int directions) { return directions > 0; });
   if (open > 0)
-    text += line("%ld frames in which the planes leave a direction open: there the camera goes on as expected\n",
-                 static_cast<long>(open));
+    text += line("planes that leave a direction open, in %ld of the frames: along it %s\n", static_cast<long>(open),
+                 given ? "given poses alone tell where the camera is" : "the camera goes on as expected");
+  if (!result.lost.empty())
+    text +=
+        line("planes that are not where they are expected, in %zu of the frames, %s first: the camera may be lost\n",
+             result.lost.size(), result.lost.front().c_str());
+  if (result.without_depth > 0) text += line("%ld of the frames show nothing\n", result.without_depth);
   if (result.without_start > 0)
     text += line("%ld frames left out, for they come before the first pose of %s\n", result.without_start,
                  options.poses.c_str());

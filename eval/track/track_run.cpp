@@ -2,6 +2,7 @@
 // Read, track, write, sum up.
 #include "eval/track/track_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
+#include "datasets/support/quantile.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
 #include "eval/program/lap_time.h"
@@ -27,7 +29,9 @@ const std::vector<std::string> kTimeColumns = {
     "frame",      "name",      "time_s",  "track_ms", "read_ms",  "sensor_ms", "lines_ms", "planes_ms",
     "regions_ms", "result_ms", "load_ms", "map_ms",   "write_ms", "planes",    "labels",   "open_directions"};
 
-constexpr double kFarthest = 1e4;  // m from the start
+constexpr double kFarthest = 1e4;    // m from the start
+constexpr double kHardlyBy = 16.27;  // squares of three parameters, 99.9 %
+constexpr std::size_t kFewestSquares = 3;
 
 bool isSomewhere(const Isometry3& pose) {
   return pose.matrix().allFinite() && pose.translation().norm() < kFarthest;
@@ -73,7 +77,7 @@ class TrackRun {
     map_.add(read.frame, tracked_, tracker_->sensor());
     const double map_ms = lapMs(start);
     writeLabels(read.frame);
-    remember(read, i, track_ms);
+    remember(read, i, track_ms, told);
     const double write_ms = lapMs(start);
     writeTimes(read, track_ms, load_ms, map_ms, write_ms);
     if (result.measures) result.measures->add(read, tracked_, *tracker_);
@@ -111,10 +115,22 @@ class TrackRun {
       waiting_.add(path, frame.depth.width, tracked_, *tracker_);
   }
 
-  void remember(const SequenceFrame& read, std::size_t i, double track_ms) {
+  /// Half of the planes are where one of a thousand is by its covariance, or none is found again where nothing else
+  /// tells where the camera is.
+  bool isLost(const std::optional<Isometry3>& told) const {
+    const std::vector<double>& squares = tracked_.squared_error;
+    if (squares.empty()) return knows_planes_ && !told;
+    return squares.size() >= kFewestSquares && median(squares) > kHardlyBy;
+  }
+
+  void remember(const SequenceFrame& read, std::size_t i, double track_ms, const std::optional<Isometry3>& told) {
     result.names.push_back(read.frame.name);
     result.places.push_back(i);
     if (tracked_.pose_jumped) result.jumps.push_back(read.frame.name);
+    if (isLost(told)) result.lost.push_back(read.frame.name);
+    knows_planes_ = knows_planes_ || !tracked_.segmentation.planes.empty();
+    const std::vector<float>& depth = read.frame.depth.data;
+    if (std::none_of(depth.begin(), depth.end(), [](float z) { return z > 0.0F; })) ++result.without_depth;
     result.open.push_back(static_cast<int>(openDirections(tracked_.pose_information).size()));
     result.trajectory.push_back({read.time, Eigen::Isometry3d(tracked_.pose.camera_to_map)});
     if (read.pose) result.truth.push_back({read.time, *read.pose});
@@ -144,6 +160,7 @@ class TrackRun {
   std::optional<PlaneTracker> tracker_;
   TrackedFrame tracked_;
   WaitingLabels waiting_;
+  bool knows_planes_ = false;
 };
 
 void takeAll(TrackRun& run, const TrackInput& input, std::ostream& err) {
@@ -168,6 +185,7 @@ void takeAll(TrackRun& run, const TrackInput& input, std::ostream& err) {
 }  // namespace
 
 TrackResult runTracker(const TrackOptions& options, const TrackInput& input, std::ostream& err) {
+  removeTemporaries(options.out, false);  // of runs that were killed
   TrackResult result;
   const std::string times = (std::filesystem::path(options.out) / "times.csv").string();
   writeAtomically(times, [&](const std::string& temporary) {

@@ -27,6 +27,8 @@ struct TrackResult {
   std::unique_ptr<TrackMeasures> measures;  ///< if they were asked for
   long without_start = 0;                   ///< frames left out because they come before the first pose of a trajectory
   std::vector<std::string> jumps;           ///< frames at which the given poses jumped
+  std::vector<std::string> lost;            ///< frames whose planes are not where they are expected
+  long without_depth = 0;                   ///< frames that show nothing
   long problems = 0;                        ///< frames that could not be used
 };
 

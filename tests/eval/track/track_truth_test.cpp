@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -203,6 +204,47 @@ TEST_F(TrackTruth, DepthImagesTellWhichPosesAreWrong) {
   EXPECT_NEAR(medianOfRow(out, "known poses, mm"), 50.0, 5.0) << out;
   EXPECT_LT(medianOfRow(out, "trajectory, mm"), 5.0) << out;
   EXPECT_LT(medianOfRow(out, "trajectory, degrees"), 0.3) << out;
+}
+
+TEST_F(TrackTruth, ACameraThatIsLostIsTold) {
+  // Without poses; after eight frames another camera's, somewhere else in the room.
+  const SceneSequence elsewhere = [] {
+    SequenceRecipe recipe;
+    recipe.scene = "c";
+    recipe.path = "walk";
+    recipe.frames = 4;
+    recipe.options.camera = sceneCamera(240, 135);
+    recipe.noise = parseNoise("white:0.001,0.001,0").value();
+    return SceneSequence(recipe);
+  }();
+  fs::create_directories(path("mixed"));
+  for (std::size_t i = 0; i < 12; ++i) {
+    LabelledFrame frame = i < 8 ? readLabelledFrame(frames(), frameName(i)) : elsewhere.frame(i - 8);
+    frame.name = "f" + std::to_string(100 + i);
+    frame.camera.extra.erase("pose");
+    frame.camera.extra["timestamp"] = 0.1 * static_cast<double>(i);
+    writeLabelledFrame(path("mixed"), frame);
+  }
+  const std::string out = outputOf({path("mixed"), "--out", path("o")});
+  EXPECT_NE(out.find("f108 first: the camera may be lost"), std::string::npos) << out;
+  EXPECT_EQ(outputOf({frames(), "--pose-free", "--out", path("p")}).find("lost"), std::string::npos);
+}
+
+TEST_F(TrackTruth, FramesThatShowNothingAreCounted) {
+  fs::create_directories(path("dark"));
+  for (std::size_t i = 0; i < 4; ++i) {
+    LabelledFrame frame = readLabelledFrame(frames(), frameName(i));
+    if (i >= 2) std::fill(frame.depth.data.begin(), frame.depth.data.end(), 0.0F);
+    writeLabelledFrame(path("dark"), frame);
+  }
+  EXPECT_NE(outputOf({path("dark"), "--out", path("o")}).find("2 of the frames show nothing"), std::string::npos);
+}
+
+TEST_F(TrackTruth, WhatAKilledRunHasLeftIsRemoved) {
+  fs::create_directories(path("o"));
+  std::ofstream(path("o/.epcc-1-2-3-4.tmp")) << "half";
+  outputOf({frames(), "--frames", "2", "--out", path("o")});
+  EXPECT_FALSE(fs::exists(path("o/.epcc-1-2-3-4.tmp")));
 }
 
 }  // namespace
