@@ -54,6 +54,6 @@ int main() {
 // Prints:
 //   measured on the first    sigma at 2 m  6.2 mm, errors alike over 1 px: 3 planes on 100 %
 //   measured on eleven       sigma at 2 m  6.2 mm, errors alike over 1 px: 3 planes on 100 %
-//   preset kinect-v1         sigma at 2 m  5.2 mm, errors alike over 1 px: 3 planes on 100 %
-//   a = 1 mm, b = 0.003 1/m  sigma at 2 m  5.2 mm, errors alike over 1 px: 3 planes on 100 %
+//   preset kinect-v1         sigma at 2 m  4.9 mm, errors alike over 1 px: 3 planes on 100 %
+//   a = 1 mm, b = 0.003 1/m  sigma at 2 m  4.9 mm, errors alike over 1 px: 3 planes on 100 %
 //   a tenth of a millimetre  sigma at 2 m  0.4 mm, errors alike over 1 px: 3 planes on 87 %
