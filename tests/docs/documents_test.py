@@ -52,6 +52,36 @@ class Names(unittest.TestCase):
             self.assertNotEqual(check_docs.path_problem(path), "", path)
 
 
+class Figures(unittest.TestCase):
+    """The README's table is part of docs/research/accuracy.md, which is renewed by itself."""
+    SETS = {"RealSense": "realsense", "Kinect": "kinect", "ABW": "abw", "seven further": "sensors", "two lidars": "lidars"}
+
+    def totals(self):
+        """(data, method) -> "correct (noise)"; of frames that name no sensor the default mode is epcc-auto."""
+        text = (TOP / "docs/research/accuracy.md").read_text()
+        table = text.split("<!-- table totals -->")[1].split("<!-- end of table -->")[0]
+        found = {}
+        for line in table.splitlines():
+            cells = [cell.strip() for cell in line.strip("| ").split("|")]
+            if len(cells) == 11 and cells[8].isdigit():
+                found[cells[0], cells[1]] = f"{cells[8]} ({cells[9]})"
+        return found
+
+    def test_the_table_of_the_readme_is_that_of_accuracy(self):
+        totals = self.totals()
+        rows = 0
+        for line in (TOP / "README.md").read_text().splitlines():
+            cells = [cell.strip().replace("*", "") for cell in line.strip("| ").split("|")]
+            data = next((name for start, name in self.SETS.items() if cells[0].startswith(start)), None)
+            if data is None or len(cells) != 7:
+                continue
+            rows += 1
+            default = "epcc" if (data, "epcc") in totals else "epcc-auto"
+            methods = [default, "epcc-paper", "region-growing", "ransac", "omps"]
+            self.assertEqual(cells[2:], [totals[data, method] for method in methods], data)
+        self.assertEqual(rows, len(self.SETS))
+
+
 class Lines(unittest.TestCase):
     def test_prose_is_narrow_and_tables_may_be_wide(self):
         self.assertNotEqual(check_docs.width_problem("x" * 121), "")
