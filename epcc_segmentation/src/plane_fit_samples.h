@@ -33,6 +33,14 @@ struct FitSamples {
   double fewest = 100.0;
 };
 
+/// Of so many rows or columns, those that are samples.
+inline int samplesAlong(int size, const FitSamples& samples) {
+  return std::max(0, (size - samples.offset + samples.stride - 1) / samples.stride);
+}
+
+/// However many threads there are, the rows are summed in as many bands: one order of all sums.
+constexpr int kFitBands = 8;
+
 /// Rows begin .. end - 1; none if there is no such row.
 struct RowSpan {
   int begin = std::numeric_limits<int>::max();
@@ -87,6 +95,7 @@ class PlaneFitter {
     std::vector<std::int32_t> labels;
     std::vector<double> across;
   };
+  void prepare(const DepthFrame& image, const SensorModel& sensor, int plane_count, const FitSamples& samples);
   bool readLabels(const std::int32_t* labels, int width, const FitSamples& samples, std::int32_t* row) const;
   /// Labels of the samples of a row of the grid that are not in the margin.
   const std::int32_t* labelsInside(const FitSamples& samples, int rows, int row, std::size_t count, Band& band) const;
