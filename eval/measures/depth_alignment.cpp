@@ -32,11 +32,8 @@ std::vector<Sample> samplesOf(const PosedView& view, const SensorModel& sensor) 
   std::vector<Sample> samples;
   for (int row = step / 2; row < view.depth.height; row += step)
     for (int column = step / 2; column < view.depth.width; column += step) {
-      const double z = view.depth.at(row, column);
-      if (!(z > 0.0) || !std::isfinite(z)) continue;
-      const PinholeCamera& camera = view.camera;
-      samples.push_back({{(column - camera.cx) / camera.fx * z, (row - camera.cy) / camera.fy * z, z},
-                         M_SQRT2 * sensor.sigmaInverseDepth(z)});
+      const float z = view.depth.at(row, column);
+      if (isMeasured(z)) samples.push_back({pointOf(view, row, column), M_SQRT2 * sensor.sigmaInverseDepth(z)});
     }
   return samples;
 }
@@ -53,9 +50,9 @@ SeenThere inverseDepthAt(const DepthImage& depth, double column, double row) {
   const int c = static_cast<int>(column), r = static_cast<int>(row);
   double w[4];
   for (int k = 0; k < 4; ++k) {
-    const double z = depth.at(r + k / 2, c + k % 2);
-    if (!(z > 0.0) || !std::isfinite(z)) return result;
-    w[k] = 1.0 / z;
+    const float z = depth.at(r + k / 2, c + k % 2);
+    if (!isMeasured(z)) return result;
+    w[k] = 1.0 / static_cast<double>(z);
   }
   const double x = column - c, y = row - r;
   const double above = w[0] + x * (w[1] - w[0]), below = w[2] + x * (w[3] - w[2]);

@@ -17,18 +17,8 @@ constexpr double kSameDepthShare = 0.02;
 constexpr double kFlatSigmas = 3.0;
 constexpr long kFlatPercent = 85;
 
-bool isMeasured(float depth) {
-  return depth > 0.0F && std::isfinite(depth);
-}
-
 bool hasPercent(long part, long whole, long percent) {
   return 100 * part >= percent * whole;
-}
-
-Eigen::Vector3d pointOf(const PosedView& view, int row, int column) {
-  const PinholeCamera& camera = view.camera;
-  const double z = view.depth.at(row, column);
-  return {(column - camera.cx) / camera.fx * z, (row - camera.cy) / camera.fy * z, z};
 }
 
 /// The pixel of `view` that a point in its camera frame falls into, or -1.
@@ -100,6 +90,16 @@ void comparePlanes(const Plane& first, const Plane& second, const Eigen::Isometr
 }
 
 }  // namespace
+
+bool isMeasured(float depth) {
+  return depth > 0.0F && std::isfinite(depth);
+}
+
+Eigen::Vector3d pointOf(const PosedView& view, int row, int column) {
+  const PinholeCamera& camera = view.camera;
+  const double z = view.depth.at(row, column);
+  return {(column - camera.cx) / camera.fx * z, (row - camera.cy) / camera.fy * z, z};
+}
 
 SeenRegions seenRegions(const PosedView& view, const PlaneSegmentation& segmentation, const SensorModel& sensor) {
   const std::size_t pixels = view.depth.data.size();

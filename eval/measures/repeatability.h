@@ -24,6 +24,10 @@ struct PosedView {
   DepthImage depth;
 };
 
+bool isMeasured(float depth);
+/// Of a pixel that is measured, in the camera's frame.
+Eigen::Vector3d pointOf(const PosedView& view, int row, int column);
+
 /// A segmentation as the measure needs it.
 struct SeenRegions {
   LabelImage labels;          ///< 0 none, k the plane planes[k - 1]
