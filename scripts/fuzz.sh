@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the fuzzing targets of tests/fuzz with clang-14, writes their seeds and runs them, two at a time, each for 30
-# seconds unless told; prints a line for each: fuzz.sh [--seconds N | --runs N] [--jobs N] [TARGET...]
+# seconds unless told; prints a line for each: fuzz.sh [--seconds N | --runs N] [--seed N] [--jobs N] [TARGET...]
 # Exit code 1 if one of them ends with a finding: the input that led to it is kept, and named. What was learnt, the
 # corpus, is kept in build/fuzz/corpus from run to run.
 set -euo pipefail
@@ -9,6 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 limit=-max_total_time=30
 jobs=2
+seed=0 # another one each time
 # Freed memory is not kept for long: fresh memory takes half of a reader's time.
 export ASAN_OPTIONS=quarantine_size_mb=4:thread_local_quarantine_size_kb=64
 export LSAN_OPTIONS=suppressions=$PWD/cmake/lsan.supp:print_suppressions=0
@@ -17,6 +18,7 @@ while (($#)); do
   case $1 in
     --seconds) limit=-max_total_time=${2:?fuzz.sh: --seconds N}; shift 2 ;;
     --runs) limit=-runs=${2:?fuzz.sh: --runs N}; shift 2 ;;
+    --seed) seed=${2:?fuzz.sh: --seed N}; shift 2 ;;
     --jobs) jobs=${2:?fuzz.sh: --jobs N}; shift 2 ;;
     -*) echo "fuzz.sh: unknown option $1" >&2; exit 2 ;;
     *) targets+=("$1"); shift ;;
@@ -48,7 +50,7 @@ run_target() {
   rm -rf "$build/seeds/$target"
   "$program" --write-seeds "$build/seeds/$target"
   # Entropic scheduling takes most of the time of a target with thousands of edges.
-  local options=("$limit" -rss_limit_mb=2048 -malloc_limit_mb=1024 -timeout=10 -max_len=4096 -entropic=0
+  local options=("$limit" "-seed=$seed" -rss_limit_mb=2048 -malloc_limit_mb=1024 -timeout=10 -max_len=4096 -entropic=0
     -print_final_stats=1 "-artifact_prefix=$found/")
   local dictionary
   dictionary=tests/fuzz/dictionaries/$(dictionary_of "$target").dict

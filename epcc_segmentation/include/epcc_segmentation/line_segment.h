@@ -20,6 +20,10 @@ namespace epcc {
 /// The line passes through `mean` along the main axis of `covariance`; in the paper mode these are the prototype's own.
 /// In the inverse-depth mode, which grows its lines in inverse depth, they are those of the samples it took, in metres;
 /// its samples are those of a grid, every `inverse_depth.stride`-th row and column, and other scan lines have none.
+///
+/// A scanner may store its rings in another order than that of their elevation, or shifted against each other. `line`,
+/// `first` and `last` are those of the cloud then, `first` before `last`, but not all samples need lie between them in
+/// that line, and t2 goes by elevation still.
 struct LineSegment {
   ScanDirection scan = ScanDirection::Columns;  ///< Columns: part of an image column; Rows: part of a row
   int line = 0;                                 ///< which column or row of the image

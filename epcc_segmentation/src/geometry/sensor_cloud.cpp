@@ -126,17 +126,21 @@ void SensorCloud::giveBackLabels(PlaneSegmentation& result) {
 
 void SensorCloud::giveBackSegments(PlaneSegmentation& result) const {
   const auto toCloud = [this](const Vector3& p) -> Vector3 { return geometry_.pose.axes * p + geometry_.pose.origin; };
+  const auto row = [this](std::size_t pixel) { return static_cast<int>(pixel / static_cast<std::size_t>(width_)); };
+  const auto column = [this](std::size_t pixel) { return static_cast<int>(pixel % static_cast<std::size_t>(width_)); };
   for (LineSegment& segment : result.segments) {
     segment.start = toCloud(segment.start);
     segment.end = toCloud(segment.end);
     if (geometry_.projection != Projection::Spherical) continue;
-    const std::size_t first = callersPixel(segment.first, segment.line);
-    const std::size_t last = callersPixel(segment.last, segment.line);
-    const auto row = [this](std::size_t pixel) { return static_cast<int>(pixel / static_cast<std::size_t>(width_)); };
-    const auto column = [this](std::size_t pixel) {
-      return static_cast<int>(pixel % static_cast<std::size_t>(width_));
-    };
-    if (geometry_.grid.rings_are_columns) {
+    std::size_t first = callersPixel(segment.first, segment.line);
+    std::size_t last = callersPixel(segment.last, segment.line);
+    // Rings may be stored from the lowest to the highest, or in no order: the end that the cloud has first is first.
+    const bool rings_are_columns = geometry_.grid.rings_are_columns;
+    if (rings_are_columns ? column(last) < column(first) : row(last) < row(first)) {
+      std::swap(first, last);
+      std::swap(segment.start, segment.end);
+    }
+    if (rings_are_columns) {
       segment.scan = ScanDirection::Rows;
       segment.line = row(first);
       segment.first = column(first);

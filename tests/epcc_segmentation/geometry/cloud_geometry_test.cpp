@@ -151,22 +151,34 @@ TEST(ScannerGeometry, TheViewpointIsTriedAndNeedNotBeRight) {
 }
 
 TEST(ScannerGeometry, SegmentsAreInTheCloudsFrameAndOrder) {
-  const PosedCloud cloud = moved(epcc::test::rowsAndColumnsExchanged(epcc::test::scannerCloud(360, 32)), kTurn, kShift);
-  const CloudGeometry geometry = geometryOf(cloud);
-  epcc::Parameters parameters;
-  parameters.line_segments = true;
-  PlaneExtractor extractor(parameters, SensorModel::parse("0.008,0,1"));
-  PlaneSegmentation result;
-  ASSERT_TRUE(
-      extractor.extract(DepthFrame::fromPoints(cloud.xyz.data(), 3, cloud.width, cloud.height, geometry), result));
-  ASSERT_GT(result.segments.size(), 300u);
-  for (const epcc::LineSegment& segment : result.segments) {
-    EXPECT_EQ(segment.scan, epcc::ScanDirection::Rows);
-    const auto pixel =
-        static_cast<std::size_t>(segment.row(segment.first) * cloud.width + segment.column(segment.first));
-    const Eigen::Vector3d p = Eigen::Map<const Eigen::Vector3f>(&cloud.xyz[3 * pixel]).cast<double>();
-    EXPECT_LT((segment.start - p).norm(), 0.05);
-  }
+  const PosedCloud plain = epcc::test::scannerCloud(360, 32);
+  const auto upside_down = epcc::test::reordered(
+      plain, 360, 32, [](int row, int column) { return static_cast<std::size_t>((31 - row) * 360 + column); });
+  const auto shuffled = epcc::test::reordered(plain, 360, 32, [](int row, int column) {
+    return static_cast<std::size_t>((row % 2 == 0 ? row / 2 : 31 - row / 2) * 360 + column);
+  });
+  for (const PosedCloud& order : {plain, upside_down, shuffled})
+    for (const bool exchanged : {false, true}) {
+      const PosedCloud cloud = moved(exchanged ? epcc::test::rowsAndColumnsExchanged(order) : order, kTurn, kShift);
+      const CloudGeometry geometry = geometryOf(cloud);
+      epcc::Parameters parameters;
+      parameters.line_segments = true;
+      PlaneExtractor extractor(parameters, SensorModel::parse("0.008,0,1"));
+      PlaneSegmentation result;
+      ASSERT_TRUE(
+          extractor.extract(DepthFrame::fromPoints(cloud.xyz.data(), 3, cloud.width, cloud.height, geometry), result));
+      ASSERT_GT(result.segments.size(), 300u);
+      for (const epcc::LineSegment& segment : result.segments) {
+        EXPECT_EQ(segment.scan, exchanged ? epcc::ScanDirection::Rows : epcc::ScanDirection::Columns);
+        EXPECT_LT(segment.first, segment.last);
+        const auto point = [&](int position) -> Eigen::Vector3d {
+          const auto pixel = static_cast<std::size_t>(segment.row(position) * cloud.width + segment.column(position));
+          return Eigen::Map<const Eigen::Vector3f>(&cloud.xyz[3 * pixel]).cast<double>();
+        };
+        EXPECT_LT((segment.start - point(segment.first)).norm(), 0.05);
+        EXPECT_LT((segment.end - point(segment.last)).norm(), 0.05);
+      }
+    }
 }
 
 // ---- both ----
