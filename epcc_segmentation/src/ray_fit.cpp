@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "metric/recursive_statistics.h"
+#include "symmetric_part.h"
 
 namespace epcc {
 
@@ -170,8 +171,8 @@ void setCovariance(const RayFit& fit, const ErrorCorrelation& error, Plane& plan
   const SamplesPerIndependent worth = fit.worth(error);
   const Eigen::Vector3d root(std::sqrt(worth.offset), std::sqrt(worth.long_slope), std::sqrt(worth.short_slope));
   const Eigen::Matrix3d inner = fit.unit(worth) * (root.asDiagonal() * fit.inverse * root.asDiagonal());
-  const Eigen::Matrix4d covariance = fit.coefficients_by_axes * inner * fit.coefficients_by_axes.transpose();
-  plane.coefficients_covariance = 0.5 * (covariance + covariance.transpose());
+  plane.coefficients_covariance =
+      symmetricPart(fit.coefficients_by_axes * inner * fit.coefficients_by_axes.transpose());
 }
 
 }  // namespace epcc

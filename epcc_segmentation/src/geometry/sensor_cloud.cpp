@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "parallel_for.h"
+#include "symmetric_part.h"
 
 namespace epcc {
 
@@ -168,9 +169,9 @@ Plane inCloudFrame(const Plane& plane, const SensorPose& pose) {
   turn.topLeftCorner<3, 3>() = pose.axes;
   turn.bottomLeftCorner<1, 3>() = -pose.origin.transpose() * pose.axes;
   turn(3, 3) = 1.0;
-  own.coefficients_covariance = turn * plane.coefficients_covariance * turn.transpose();
+  own.coefficients_covariance = symmetricPart(turn * plane.coefficients_covariance * turn.transpose());
   own.centroid = pose.axes * plane.centroid + pose.origin;
-  own.points_covariance = pose.axes * plane.points_covariance * pose.axes.transpose();
+  own.points_covariance = symmetricPart(pose.axes * plane.points_covariance * pose.axes.transpose());
   return own;
 }
 

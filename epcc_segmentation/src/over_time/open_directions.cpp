@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "epcc_segmentation/plane_tracker.h"
+#include "symmetric_part.h"
 
 namespace epcc {
 
@@ -29,7 +30,7 @@ std::vector<Vector3> openDirections(const Matrix6& pose_information, double sigm
   const Eigen::Matrix3d across = information.topRightCorner<3, 3>();
   const Eigen::Matrix3d left = information.bottomRightCorner<3, 3>() -
                                across.transpose() * pseudoInverse(information.topLeftCorner<3, 3>()) * across;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (left + left.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetricPart(left));
   std::vector<Vector3> open;
   for (int k = 0; k < 3; ++k)
     if (!(solver.eigenvalues()(k) * sigma * sigma >= 1.0)) open.push_back(Vector3(solver.eigenvectors().col(k)));

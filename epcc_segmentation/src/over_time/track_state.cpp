@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "symmetric_part.h"
+
 namespace epcc {
 
 namespace {
@@ -26,10 +28,9 @@ struct LocalPlane {
 
 /// A covariance as far as it is not above another one: what is not seen anew is not forgotten.
 Eigen::Matrix3d notAbove(const Eigen::Matrix3d& limit, const Eigen::Matrix3d& covariance) {
-  const Eigen::Matrix3d symmetric = 0.5 * (covariance + covariance.transpose());
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric, limit);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetricPart(covariance), limit);
   const Eigen::Matrix3d axes = limit * solver.eigenvectors();  // v^T limit v = 1
-  return axes * solver.eigenvalues().cwiseMin(1.0).asDiagonal() * axes.transpose();
+  return axes * solver.eigenvalues().cwiseMax(0.0).cwiseMin(1.0).asDiagonal() * axes.transpose();
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ void TrackState::join(const MapPlane& measured, const Eigen::Vector3d& place, do
   const Eigen::Matrix3d rest = notAbove(before_covariance, (Eigen::Matrix3d::Identity() - gain) * known);
   const LocalPlane now(after.head<3>(), place);
   plane.coefficients = after;
-  plane.covariance = now.to_plane * (0.5 * (rest + rest.transpose())) * now.to_plane.transpose();
+  plane.covariance = symmetricPart(now.to_plane * rest * now.to_plane.transpose());
 }
 
 double squaredDifference(const MapPlane& a, const MapPlane& b, const Eigen::Vector3d& place) {

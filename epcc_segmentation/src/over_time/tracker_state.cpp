@@ -9,6 +9,7 @@
 #include "inverse_depth/relabelling.h"
 #include "over_time/plane_motion.h"
 #include "quantile.h"
+#include "symmetric_part.h"
 
 namespace epcc {
 
@@ -168,7 +169,7 @@ std::vector<SeenInMap> PlaneTracker::State::seenPlanes(const DepthFrame& depth, 
         error_scale * Eigen::Matrix4d(plane.coefficients_covariance) +
         by_pose * Eigen::Matrix<double, 6, 6>(result.pose.covariance) * by_pose.transpose();
     seen[k].plane.coefficients = to_map * Eigen::Vector4d(plane.coefficients);
-    seen[k].plane.covariance = to_map * covariance * to_map.transpose();
+    seen[k].plane.covariance = symmetricPart(to_map * covariance * to_map.transpose());
     seen[k].again = seen[k].plane;
     seen[k].again.covariance += poseError(seen[k].plane);
     seen[k].centroid = pose * Eigen::Vector3d(plane.centroid);

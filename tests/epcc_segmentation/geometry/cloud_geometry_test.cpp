@@ -249,6 +249,17 @@ TEST(CloudGeometry, TheFinderRemembersAPoseAndNoticesAnother) {
   EXPECT_LT((find(first).origin - kShift).norm(), 0.02);
 }
 
+TEST(CloudGeometry, CovariancesAreSymmetricToTheLastBit) {
+  for (const PosedCloud& cloud : {posedRoom(), epcc::test::scannerCloud(360, 32)}) {
+    const Found found = segment(moved(cloud, kTurn, kShift));
+    ASSERT_GE(found.result.planes.size(), 2u) << found.error;
+    for (const epcc::Plane& plane : found.result.planes) {
+      EXPECT_EQ(plane.coefficients_covariance, plane.coefficients_covariance.transpose());
+      EXPECT_EQ(plane.points_covariance, plane.points_covariance.transpose());
+    }
+  }
+}
+
 TEST(CloudGeometry, LeastSquaresPlanesAndSensorEstimateAreThoseOfTheSensorsFrame) {
   const PosedCloud plain = posedRoom(), turned = moved(plain, kTurn, kShift);
   const CloudGeometry geometry = geometryOf(turned);

@@ -6,6 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <cmath>
+#include <random>
 #include <vector>
 
 #include "over_time/plane_motion.h"
@@ -103,6 +105,27 @@ TEST(PoseAlignment, APlaneThatMovedOfItsOwnDoesNotDragTheCamera) {
   const AlignedPose aligned = alignPose(planes, seen, expectedAt(Eigen::Isometry3d::Identity()), 1.0);
   EXPECT_LT(Eigen::Isometry3d(aligned.pose.camera_to_map).translation().norm(), 2e-3);
   EXPECT_GT(aligned.squared_error.back(), 1000.0);
+}
+
+// Planes that are known and seen better than the pose by many powers of ten, as absurd sensors give them.
+TEST(PoseAlignment, VariancesAreThoseExpectedOrLessAndNeverNegative) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> power(-10.0, 10.0);
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<MapPlane> planes = kCorner;
+    std::vector<SeenPlane> seen;
+    for (MapPlane& plane : planes) {
+      plane.coefficients(3) *= std::pow(10.0, 0.3 * power(generator));
+      plane.covariance = std::pow(10.0, power(generator)) * Matrix4::Identity();
+      seen.push_back(seenFrom(Eigen::Isometry3d::Identity(), plane.coefficients));
+      seen.back().rays *= std::pow(10.0, power(generator));
+    }
+    const UncertainPose expected = expectedAt(Eigen::Isometry3d::Identity());
+    const Matrix6 covariance = alignPose(planes, seen, expected, 1.0).pose.covariance;
+    ASSERT_EQ(covariance, covariance.transpose());
+    ASSERT_GE(covariance.diagonal().minCoeff(), 0.0) << i;
+    ASSERT_LE((covariance.diagonal() - expected.covariance.diagonal()).maxCoeff(), 1e-6) << i;
+  }
 }
 
 TEST(PoseAlignment, TooLittleSeenSaysNothing) {
