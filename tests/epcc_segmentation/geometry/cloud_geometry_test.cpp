@@ -38,6 +38,13 @@ using epcc::test::segment;
 
 // ---- scanners ----
 
+/// Rings from both ends in turn.
+PosedCloud shuffledRings(const PosedCloud& cloud) {
+  return epcc::test::reordered(cloud, cloud.width, cloud.height, [&](int row, int column) {
+    return static_cast<std::size_t>((row % 2 == 0 ? row / 2 : cloud.height - 1 - row / 2) * cloud.width + column);
+  });
+}
+
 TEST(ScannerGeometry, APlaneAcrossTheSeamIsOne) {
   for (const double first : {0.0, M_PI / 2, 0.7}) {
     const PosedCloud cloud = epcc::test::scannerCloud(360, 32, first);
@@ -85,10 +92,7 @@ TEST(ScannerGeometry, AnyFrameAndOrder) {
   const auto staggered = epcc::test::reordered(plain, width, height, [&](int row, int column) {
     return static_cast<std::size_t>(row * width + (column + row % 4 * 6) % width);
   });
-  const auto shuffled = epcc::test::reordered(plain, width, height, [&](int row, int column) {
-    return static_cast<std::size_t>((row % 2 == 0 ? row / 2 : height - 1 - row / 2) * width + column);
-  });
-  for (const PosedCloud& order : {plain, epcc::test::rowsAndColumnsExchanged(plain), staggered, shuffled,
+  for (const PosedCloud& order : {plain, epcc::test::rowsAndColumnsExchanged(plain), staggered, shuffledRings(plain),
                                   epcc::test::rowsAndColumnsExchanged(staggered)})
     for (const auto& [axes, origin] : poses) {
       SCOPED_TRACE(testing::Message() << order.width << "x" << order.height << "\n"
@@ -154,10 +158,7 @@ TEST(ScannerGeometry, SegmentsAreInTheCloudsFrameAndOrder) {
   const PosedCloud plain = epcc::test::scannerCloud(360, 32);
   const auto upside_down = epcc::test::reordered(
       plain, 360, 32, [](int row, int column) { return static_cast<std::size_t>((31 - row) * 360 + column); });
-  const auto shuffled = epcc::test::reordered(plain, 360, 32, [](int row, int column) {
-    return static_cast<std::size_t>((row % 2 == 0 ? row / 2 : 31 - row / 2) * 360 + column);
-  });
-  for (const PosedCloud& order : {plain, upside_down, shuffled})
+  for (const PosedCloud& order : {plain, upside_down, shuffledRings(plain)})
     for (const bool exchanged : {false, true}) {
       const PosedCloud cloud = moved(exchanged ? epcc::test::rowsAndColumnsExchanged(order) : order, kTurn, kShift);
       const CloudGeometry geometry = geometryOf(cloud);
