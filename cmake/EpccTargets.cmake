@@ -6,10 +6,11 @@ option(EPCC_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ${PROJECT_IS_
 option(EPCC_COUNT_LINES "Count how often each line of the libraries runs, for scripts/coverage.sh" OFF)
 
 # epcc_count_lines(TARGET): with EPCC_COUNT_LINES. The core's tests are not counted: it takes half as long again to
-# compile them, and ccache does not share between clones what counts, for it knows its own path.
+# compile them. What counts knows where its counts go: to a folder that is the same for all clones, so that ccache shares
+# it between them, below the build of the one that runs (GCOV_PREFIX in the tests' preset).
 function(epcc_count_lines target)
   if(EPCC_COUNT_LINES)
-    target_compile_options(${target} PRIVATE --coverage)
+    target_compile_options(${target} PRIVATE --coverage "-fprofile-dir=/tmp/epcc-lines")
     target_link_options(${target} INTERFACE --coverage)
     get_target_property(type ${target} TYPE)
     if(type STREQUAL "SHARED_LIBRARY")

@@ -13,6 +13,14 @@ least=95
 parts=("core epcc_segmentation/(src|include)/" "readers datasets/" "measures eval/measures/")
 out=build/coverage
 
+# Counts are named by the path of their object (cmake/EpccTargets.cmake), with # for /, below the build where ccache
+# compiles; they go beside it, where gcov looks for them.
+for counts in "$build"/tmp/epcc-lines/*.gcda; do
+  object=${counts##*/}
+  object=${object//#//}
+  [[ $object == /* ]] || object=$build/$object
+  if [[ -e $counts ]]; then mv "$counts" "$object"; fi
+done
 if [[ -z $(find "$build" -name '*.gcda' -print -quit 2>/dev/null) ]]; then
   echo "coverage.sh: no lines were counted: run scripts/sanitize.sh asan" >&2
   exit 2
