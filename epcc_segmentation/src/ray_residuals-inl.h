@@ -15,6 +15,7 @@
 
 #include "ray_residuals.h"
 #include "run_sums-inl.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -122,10 +123,10 @@ HWY_INLINE DoubleVector weightOf(const SensorVariance& v, DoubleVector inverse_d
   const auto w = hn::DemoteTo(d, inverse_depth);
   const auto polynomial =
       hn::Add(hn::Mul(hn::Add(hn::Mul(hn::Set(d, v.k2), w), hn::Set(d, v.k1)), w), hn::Set(d, v.k0));
-  const auto spread = hn::Max(polynomial, hn::Zero(d));
+  const auto spread = larger(polynomial, hn::Zero(d));
   const auto w2 = hn::Mul(w, w), w4 = hn::Mul(w2, w2);
   const auto sum = hn::Add(hn::Mul(spread, spread), hn::Mul(hn::Set(d, v.floor), w4));
-  const auto variance = hn::Max(sum, hn::Mul(hn::Set(d, v.smallest), w4));
+  const auto variance = larger(sum, hn::Mul(hn::Set(d, v.smallest), w4));
   return hn::PromoteTo(Double(), hn::Div(hn::Set(d, 1.0f), variance));
 }
 

@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "sensor_variance.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -21,9 +22,9 @@ HWY_INLINE hwy::HWY_NAMESPACE::Vec<D> varianceOf(D d, const SensorVariance& v, h
   namespace hn = hwy::HWY_NAMESPACE;
   const auto polynomial =
       hn::Add(hn::Mul(hn::Add(hn::Mul(hn::Set(d, v.k0), z), hn::Set(d, v.k1)), z), hn::Set(d, v.k2));
-  const auto spread = hn::Max(polynomial, hn::Zero(d));
+  const auto spread = larger(polynomial, hn::Zero(d));
   const auto variance = hn::Add(hn::Mul(spread, spread), hn::Set(d, v.floor));
-  return hn::Min(hn::Max(variance, hn::Set(d, v.smallest)), hn::Set(d, v.largest));
+  return smaller(larger(variance, hn::Set(d, v.smallest)), hn::Set(d, v.largest));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "inverse_depth/noise_variance-inl.h"
 #include "vector/dispatch.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -71,7 +72,7 @@ void DecideBorderPixels(const BorderPixels* pixels, const BorderQuestions::Array
     const auto limit =
         hn::IfThenElse(labelled, hn::Sub(my_error, hn::Set(d, image.flip_gain)), hn::Set(d, image.max_residual));
     const auto better = hn::Lt(their_error, limit);
-    const auto near = hn::And(hn::Lt(hn::Max(my_error, their_error), range),
+    const auto near = hn::And(hn::Lt(larger(my_error, their_error), range),
                               hn::Lt(hn::Mul(hn::Abs(difference), inverse_sigma), range));
     const auto own_label = hn::And(labelled, hn::RebindMask(d, hn::Eq(current, own)));
     const auto crease = hn::And(hn::And(own_label, near), hn::Ne(side, zero));

@@ -11,6 +11,7 @@
 
 #include "inverse_depth/noise_variance-inl.h"
 #include "vector/dispatch.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -99,7 +100,7 @@ void WeighInverseDepths(const float* w, std::size_t count, const InverseDepthNoi
   forEachVector(w, count, weight, [&](FloatVector value) HWY_ATTR {
     const auto variance = noise_vectors.variance(hn::Mul(value, scales));
     const auto one = hn::Div(scale2, variance);
-    return hn::IfThenElse(hn::Gt(one, least), hn::Min(most, one), least);
+    return hn::IfThenElse(hn::Gt(one, least), smaller(most, one), least);
   });
 }
 

@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "inverse_depth/inverse_depth_image.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -41,7 +42,7 @@ struct NoiseVectors {
       const auto polynomial = hn::Add(k1, hn::Mul(m, hn::Add(k2, hn::Mul(m, k3))));
       sum = hn::Add(hn::Mul(polynomial, polynomial), sum);
     }
-    return hn::Max(sum, hn::Mul(place2, m2));
+    return larger(sum, hn::Mul(place2, m2));
   }
 };
 

@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include "vector/dispatch.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -67,9 +68,9 @@ void fitPlaneLanes(PlaneBatch& batch) {
     const Double square =
         dot(x, dot(sxx, x, sxy, y, sxz, z), y, dot(sxy, x, syy, y, syz, z), z, dot(sxz, x, syz, y, szz, z));
     const Double along = hn::Mul(hn::Set(d, 2.0), dot(x, xw, y, yw, z, zw));
-    const Double rss = hn::Max(hn::Zero(d), hn::Add(hn::Sub(w_w, along), square));
-    const Double tan2 = hn::Div(hn::Add(e.square(x, z), hn::Mul(y, y)), hn::Max(hn::Mul(w, w), hn::Set(d, 1e-12)));
-    const Double slope_factor = hn::Add(hn::Set(d, 1.0), hn::Min(tan2, hn::Set(d, 25.0)));
+    const Double rss = larger(hn::Zero(d), hn::Add(hn::Sub(w_w, along), square));
+    const Double tan2 = hn::Div(hn::Add(e.square(x, z), hn::Mul(y, y)), larger(hn::Set(d, 1e-12), hn::Mul(w, w)));
+    const Double slope_factor = hn::Add(hn::Set(d, 1.0), smaller(hn::Set(d, 25.0), tan2));
     hn::StoreU(x, d, batch.x + k);
     hn::StoreU(y, d, batch.y + k);
     hn::StoreU(z, d, batch.z + k);

@@ -76,10 +76,11 @@ inline SumsPlane::SumsPlane(const RegionSums& s) {
   x = scale * (xx * s.xw + xy * s.yw + xz * s.zw);
   y = scale * (xy * s.xw + yy * s.yw + yz * s.zw);
   z = scale * (xz * s.xw + yz * s.yw + zz * s.zw);
-  // Of second order in the error of q, unlike w_w - q . rays_w.
+  // Of second order in the error of q, unlike w_w - q . rays_w; no number where there is no q, which nothing merges
+  // with.
   const double square = x * (s.xx * x + s.xy * y + s.xz * z) + y * (s.xy * x + s.yy * y + s.yz * z) +
                         z * (s.xz * x + s.yz * y + s.zz * z);
-  rss = std::max(0.0, s.w_w - 2.0 * (x * s.xw + y * s.yw + z * s.zw) + square);
+  rss = std::max(s.w_w - 2.0 * (x * s.xw + y * s.yw + z * s.zw) + square, 0.0);
   slope_factor = slopeFactor({x, y, z}, w, e);
 }
 

@@ -12,6 +12,7 @@
 
 #include "metric/line_lane-inl.h"
 #include "sensor_variance-inl.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -157,7 +158,7 @@ struct Agreement {
     const V projection = hn::Add(hn::Mul(normal1, ray1), hn::Mul(normal2, ray2));
     const V before = hn::Set(d, static_cast<float>(rule.fit_samples - 1));
     const V across =
-        hn::Max(hn::Mul(projection, projection), hn::Mul(hn::Set(d, rule.projection_floor), normal_squared));
+        larger(hn::Mul(projection, projection), hn::Mul(hn::Set(d, rule.projection_floor), normal_squared));
     const V spread = hn::Add(hn::Mul(residuals, normal_squared), hn::Mul(before, hn::Mul(variance, across)));
     return hn::Le(hn::Mul(hn::Mul(distance, distance), before), hn::Mul(hn::Set(d, rule.k_max_squared), spread));
   }

@@ -11,6 +11,7 @@
 
 #include "metric/line_candidates-inl.h"
 #include "metric/line_samples-inl.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -44,7 +45,7 @@ HWY_INLINE void findNormals(Prototypes& p) {
   const Float d;
   const VF half = hn::Mul(hn::Set(d, 0.5f), hn::Sub(p.s11, p.s22));
   const VF root = hn::Sqrt(hn::Add(hn::Mul(half, half), hn::Mul(p.s12, p.s12)));
-  const VF large = hn::Max(hn::Add(hn::Abs(half), root), hn::Set(d, kSmallestNormal));
+  const VF large = larger(hn::Add(hn::Abs(half), root), hn::Set(d, kSmallestNormal));
   const VF small = hn::Neg(p.s12);
   const MF along_t1 = hn::Gt(half, hn::Zero(d));
   p.normal1 = hn::IfThenElse(along_t1, small, large);
@@ -96,7 +97,7 @@ HWY_INLINE MF acceptAndUpdate(const ClusteringRule& rule, const Samples& s, Prot
   const VF squared = hn::Mul(distance, distance);
   const VF before = hn::Sub(p.n, hn::Set(d, 1.0f));
   const VF across =
-      hn::Max(hn::Mul(projection, projection), hn::Mul(hn::Set(d, rule.projection_floor), p.normal_squared));
+      larger(hn::Mul(projection, projection), hn::Mul(hn::Set(d, rule.projection_floor), p.normal_squared));
   const VF spread = hn::Add(hn::Mul(p.residuals, p.normal_squared), hn::Mul(before, hn::Mul(s.variance, across)));
   const MF accepted =
       hn::And(s.measured, hn::Le(hn::Mul(squared, before), hn::Mul(hn::Set(d, rule.k_max_squared), spread)));

@@ -11,6 +11,7 @@
 
 #include "metric/line_clustering.h"
 #include "sensor_variance-inl.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -36,7 +37,7 @@ struct Samples {
 
 HWY_INLINE MF isMeasured(VF t1, VF t2) {
   const Float d;
-  return hn::And(hn::Gt(t1, hn::Zero(d)), hn::Le(hn::Max(t1, hn::Abs(t2)), hn::Set(d, kFarthest)));
+  return hn::And(hn::Gt(t1, hn::Zero(d)), hn::Le(larger(t1, hn::Abs(t2)), hn::Set(d, kFarthest)));
 }
 
 /// Sections of a depth image: (t1, t2) = z (sqrt(1 + u^2), v).

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "vector/dispatch.h"
+#include "vector/extremes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace epcc {
@@ -165,7 +166,7 @@ void SolveParts(const PartSums& sums, int count, float* squares) {
       }
       left = hn::Sub(left, hn::Mul(hn::Mul(b[k], b[k]), inverse));
     }
-    hn::Store(hn::Max(left, hn::Zero(d)), d, squares + lane);
+    hn::Store(larger(left, hn::Zero(d)), d, squares + lane);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -56,6 +57,15 @@ TEST(MergeQueue, GivesTheContactsInTheOrderOfTheirLastCosts) {
   }
 }
 
+void expectSame(const epcc::SumsPlane& plane, const epcc::SumsPlane& expected) {
+  const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  EXPECT_PRED2(same, plane.x, expected.x);
+  EXPECT_PRED2(same, plane.y, expected.y);
+  EXPECT_PRED2(same, plane.z, expected.z);
+  EXPECT_PRED2(same, plane.rss, expected.rss);
+  EXPECT_PRED2(same, plane.slope_factor, expected.slope_factor);
+}
+
 TEST(PlaneBatch, HasThePlanesOfItsRegionsToTheBitOnEachUnit) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> any(0.0, 1.0);
@@ -73,14 +83,25 @@ TEST(PlaneBatch, HasThePlanesOfItsRegionsToTheBitOnEachUnit) {
       epcc::fitPlanes(batch);
       for (int k = 0; k < count; ++k) {
         const epcc::SumsPlane plane = batch.plane(k), expected(regions[static_cast<std::size_t>(k)]);
-        EXPECT_EQ(plane.x, expected.x);
-        EXPECT_EQ(plane.y, expected.y);
-        EXPECT_EQ(plane.z, expected.z);
-        EXPECT_EQ(plane.rss, expected.rss);
-        EXPECT_EQ(plane.slope_factor, expected.slope_factor);
+        expectSame(plane, expected);
       }
     });
   }
+}
+
+// A pixel 1e-110 m away, as no sensor gives: its normal matrix has an inverse beyond all numbers.
+TEST(PlaneBatch, WhatHasNoPlaneHasNoneOnEachUnit) {
+  epcc::PlaneMoments moments;
+  moments.add({0.1, 0.2, 1.0}, 1e110, 1e-220);
+  const epcc::RegionSums region(moments);
+  epcc::PlaneBatch batch;
+  batch.add(region);
+  const epcc::SumsPlane expected(region);
+  EXPECT_TRUE(std::isnan(expected.rss)) << "not a perfect fit";
+  epcc::test::onEveryVectorUnit([&] {
+    epcc::fitPlanes(batch);
+    expectSame(batch.plane(0), expected);
+  });
 }
 
 }  // namespace

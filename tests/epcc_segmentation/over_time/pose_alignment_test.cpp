@@ -111,12 +111,16 @@ TEST(PoseAlignment, APlaneThatMovedOfItsOwnDoesNotDragTheCamera) {
 TEST(PoseAlignment, VariancesAreThoseExpectedOrLessAndNeverNegative) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> power(-10.0, 10.0);
+  std::normal_distribution<double> normal;
   for (int i = 0; i < 2000; ++i) {
     std::vector<MapPlane> planes = kCorner;
     std::vector<SeenPlane> seen;
     for (MapPlane& plane : planes) {
       plane.coefficients(3) *= std::pow(10.0, 0.3 * power(generator));
-      plane.covariance = std::pow(10.0, power(generator)) * Matrix4::Identity();
+      // Known along one direction alone, with an error of rounding across it: a variance below zero.
+      const Eigen::Vector4d along(normal(generator), normal(generator), normal(generator), normal(generator));
+      plane.covariance = Eigen::Matrix4d(std::pow(10.0, power(generator)) *
+                                         (along * along.transpose() - 1e-12 * Eigen::Matrix4d::Identity()));
       seen.push_back(seenFrom(Eigen::Isometry3d::Identity(), plane.coefficients));
       seen.back().rays *= std::pow(10.0, power(generator));
     }
