@@ -20,7 +20,7 @@ stage "Kernels compiled for arm64"
 scripts/check_arm64.sh
 stage "Instructions a frame"
 scripts/check_speed.sh || (($? == 77)) # not on every processor
-stage "Tests of core, PCL class, data sets and measures under AddressSanitizer and UndefinedBehaviorSanitizer"
+stage "Tests under AddressSanitizer and UndefinedBehaviorSanitizer, programs included"
 scripts/sanitize.sh asan
 stage "Lines that these tests have run"
 scripts/coverage.sh

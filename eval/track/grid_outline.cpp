@@ -15,7 +15,7 @@ namespace {
 
 using Mask = Image<std::uint8_t>;
 
-constexpr int kMargin = 3;
+constexpr int kOutlineMargin = 3;
 constexpr long kMaxCells = 64L * 1000 * 1000;
 constexpr double kTolerance = 1.0;  // cells
 
@@ -89,16 +89,16 @@ std::vector<CellPiece> cellPieces(const std::vector<std::pair<int, int>>& cells,
     low = std::min(low, y);
     high = std::max(high, y);
   }
-  const long width = static_cast<long>(right) - left + 1 + 2 * kMargin;
-  const long height = static_cast<long>(high) - low + 1 + 2 * kMargin;
+  const long width = static_cast<long>(right) - left + 1 + 2 * kOutlineMargin;
+  const long height = static_cast<long>(high) - low + 1 + 2 * kOutlineMargin;
   if (width * height > kMaxCells) return {};
   Mask mask(static_cast<int>(width), static_cast<int>(height));
-  for (const auto& [x, y] : cells) mask.at(y - low + kMargin, x - left + kMargin) = 1;
+  for (const auto& [x, y] : cells) mask.at(y - low + kOutlineMargin, x - left + kOutlineMargin) = 1;
   mask = ofNeighbours(ofNeighbours(mask, false), true);
 
   const std::vector<std::int32_t> labels(mask.data.begin(), mask.data.end());
   const LabelArcs arcs = findLabelArcs(labels, mask.width, mask.height, false);
-  const Eigen::Vector2d origin(left - kMargin, low - kMargin);
+  const Eigen::Vector2d origin(left - kOutlineMargin, low - kOutlineMargin);
   std::vector<CellPiece> pieces;
   for (const std::vector<const LabelRing*>& of_piece : piecesOf(arcs, min_cells)) {
     std::vector<Ring> rings;

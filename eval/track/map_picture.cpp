@@ -17,7 +17,7 @@ namespace epcc {
 namespace {
 
 constexpr Rgb kPaper{255, 255, 255}, kInk{30, 30, 30};
-constexpr int kMargin = 24;
+constexpr int kPictureMargin = 24;
 constexpr double kFacing = 0.08;          // least cosine between a surface's normal and the view
 constexpr double kLabelledShare = 0.004;  // of the picture, of a surface that carries its label
 constexpr int kViewWidth = 900;
@@ -31,7 +31,7 @@ struct Frame {
   Eigen::Vector2d metres(const Eigen::Vector3d& point) const { return {view.right.dot(point), view.up.dot(point)}; }
   Eigen::Vector2d pixel(const Eigen::Vector3d& point) const {
     const Eigen::Vector2d from_low = scale * (metres(point) - low);
-    return {kMargin + from_low.x(), height - 1 - kMargin - from_low.y()};
+    return {kPictureMargin + from_low.x(), height - 1 - kPictureMargin - from_low.y()};
   }
 };
 
@@ -61,8 +61,8 @@ Frame frameOf(const std::vector<MappedTrack>& tracks, const Trajectory& trajecto
   for (const StampedPose& stamped : trajectory) take(stamped.pose.translation());
   if (low.x() > high.x()) low = high = Eigen::Vector2d::Zero();
   const Eigen::Vector2d size = (high - low).cwiseMax(1e-3);
-  frame.scale = std::min((width - 2 * kMargin) / size.x(), (2.0 * width - 2 * kMargin) / size.y());
-  frame.height = static_cast<int>(std::ceil(frame.scale * size.y())) + 2 * kMargin + 3 * kGlyphHeight;
+  frame.scale = std::min((width - 2 * kPictureMargin) / size.x(), (2.0 * width - 2 * kPictureMargin) / size.y());
+  frame.height = static_cast<int>(std::ceil(frame.scale * size.y())) + 2 * kPictureMargin + 3 * kGlyphHeight;
   frame.low = low;
   frame.low.y() -= 2.5 * kGlyphHeight / frame.scale;  // room for the bar
   return frame;
@@ -110,12 +110,12 @@ void fill(const MappedTrack& one, const Frame& frame, Canvas& canvas) {
   const int last = std::min(canvas.image.height - 1, static_cast<int>(std::floor(bottom)));
   for (int row = first; row <= last; ++row) {
     const std::vector<double> columns = crossings(one.surface, frame, row);
-    const double y = frame.low.y() + (frame.height - 1 - kMargin - row) / frame.scale;
+    const double y = frame.low.y() + (frame.height - 1 - kPictureMargin - row) / frame.scale;
     for (std::size_t k = 0; k + 1 < columns.size(); k += 2) {
       const int from = std::max(0, static_cast<int>(std::ceil(columns[k])));
       const int to = std::min(canvas.image.width - 1, static_cast<int>(std::floor(columns[k + 1])));
       for (int column = from; column <= to; ++column) {
-        const double x = frame.low.x() + (column - kMargin) / frame.scale;
+        const double x = frame.low.x() + (column - kPictureMargin) / frame.scale;
         const auto out =
             static_cast<float>(-(plane(3) + x * normal.dot(view.right) + y * normal.dot(view.up)) / facing);
         if (out <= canvas.nearest.at(row, column)) continue;
@@ -174,11 +174,11 @@ void drawLabels(Canvas& canvas) {
 
 void drawBar(ColorImage& image, double scale) {
   const double length = tickStep(2.0 * image.width / scale);
-  const int y = image.height - kMargin / 2;
-  drawLine(image, {kMargin, y}, {kMargin + length * scale, y}, 1);
+  const int y = image.height - kPictureMargin / 2;
+  drawLine(image, {kPictureMargin, y}, {kPictureMargin + length * scale, y}, 1);
   char text[40];
   std::snprintf(text, sizeof text, "%g m", length);
-  drawText(image, text, kMargin, y - 2 * kGlyphHeight - 5, 2, kInk);
+  drawText(image, text, kPictureMargin, y - 2 * kGlyphHeight - 5, 2, kInk);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace epcc {
 namespace {
 
 constexpr double kMostCells = 32.0;
-constexpr double kFarthest = 1e6;  // cells from the origin
+constexpr double kFarthestCell = 1e6;  // cells from the origin
 
 /// The tile of a cell, by column or by row, and its place in there.
 struct Place {
@@ -87,7 +87,7 @@ SurfaceGrid::Corners SurfaceGrid::cornersOf(const std::array<Eigen::Vector3d, 4>
 }
 
 bool SurfaceGrid::Corners::areFine() const {
-  return (high - low).maxCoeff() <= kMostCells && low.minCoeff() > -kFarthest && high.maxCoeff() < kFarthest;
+  return (high - low).maxCoeff() <= kMostCells && low.minCoeff() > -kFarthestCell && high.maxCoeff() < kFarthestCell;
 }
 
 bool SurfaceGrid::isFine(const std::array<Eigen::Vector3d, 4>& footprint) const {
@@ -112,7 +112,7 @@ void SurfaceGrid::add(const std::array<Eigen::Vector3d, 4>& footprint, bool at_l
 void SurfaceGrid::add(const SurfaceGrid& other) {
   for (const SeenCell& cell : other.seenCells()) {
     const Eigen::Vector2d here = Eigen::Vector2d(basis_.flat(other.middleOf(cell))) / cell_;
-    if (here.cwiseAbs().maxCoeff() < kFarthest)
+    if (here.cwiseAbs().maxCoeff() < kFarthestCell)
       see(seen(static_cast<int>(std::floor(here.x())), static_cast<int>(std::floor(here.y()))), cell.times);
   }
 }

@@ -29,12 +29,12 @@ const std::vector<std::string> kTimeColumns = {
     "frame",      "name",      "time_s",  "track_ms", "read_ms",  "sensor_ms", "lines_ms", "planes_ms",
     "regions_ms", "result_ms", "load_ms", "map_ms",   "write_ms", "planes",    "labels",   "open_directions"};
 
-constexpr double kFarthest = 1e4;    // m from the start
-constexpr double kHardlyBy = 16.27;  // squares of three parameters, 99.9 %
+constexpr double kFarthestPose = 1e4;  // m from the start
+constexpr double kHardlyBy = 16.27;    // squares of three parameters, 99.9 %
 constexpr std::size_t kFewestSquares = 3;
 
 bool isSomewhere(const Isometry3& pose) {
-  return pose.matrix().allFinite() && pose.translation().norm() < kFarthest;
+  return pose.matrix().allFinite() && pose.translation().norm() < kFarthestPose;
 }
 
 /// Nothing can be told of later frames.

@@ -15,7 +15,7 @@ namespace {
 constexpr double kRadians = M_PI / 180.0;
 constexpr double kInPicture = 0.99;  // share of the points
 constexpr double kReach = 0.85;      // of a scanner's points: the far ones are few and wide apart
-constexpr double kMargin = 1.06;
+constexpr double kSceneMargin = 1.06;
 constexpr double kNarrowest = 1.0, kWidest = 120.0;  // degrees
 constexpr double kPickPixels = 4.0;
 
@@ -60,7 +60,7 @@ double angleFor(const ViewScene& scene, const ViewCamera& camera, double aspect)
       tangents.push_back(std::max(std::abs(ray.dot(axes.up)), std::abs(ray.dot(axes.right)) / aspect) / depth);
   }
   if (tangents.empty()) return camera.angle;
-  return std::clamp(2.0 * std::atan(kMargin * quantile(tangents, kInPicture)) / kRadians, kNarrowest, kWidest);
+  return std::clamp(2.0 * std::atan(kSceneMargin * quantile(tangents, kInPicture)) / kRadians, kNarrowest, kWidest);
 }
 
 /// From behind the sensor rather than in it, so that near points are not cut off by the window's edges.

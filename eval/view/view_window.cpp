@@ -27,7 +27,7 @@ namespace epcc {
 namespace {
 
 constexpr int kFontSize = 14;
-constexpr int kMargin = 10;      // of texts, pixels
+constexpr int kTextMargin = 10;  // of texts, pixels
 constexpr int kClickPixels = 3;  // a mouse that moves further turns the scene
 
 /// The mouse turns, moves and zooms as in every PCL window; keys and clicks are the program's.
@@ -109,7 +109,7 @@ struct ViewWindow::Parts {
     look->SetBackgroundColor(0.0, 0.0, 0.0);
     look->SetBackgroundOpacity(0.6);
     look->SetVerticalJustification(at_top ? VTK_TEXT_TOP : VTK_TEXT_BOTTOM);
-    actor->SetPosition(kMargin, at_top ? window()->GetSize()[1] - kMargin : kMargin);
+    actor->SetPosition(kTextMargin, at_top ? window()->GetSize()[1] - kTextMargin : kTextMargin);
     renderer()->AddActor2D(actor);
     texts.push_back(actor);
   }

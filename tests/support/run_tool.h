@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -38,11 +39,16 @@ inline std::string quotedForShell(const std::string& text) {
   return result + "'";
 }
 
-/// Runs a program's file inside `folder`, as an argument of the shell's words `before`; -1 if a signal ended it.
-inline ToolResult runTool(const std::string& file, const std::vector<std::string>& arguments, const std::string& folder,
-                          const std::string& before = "") {
+/// The file of one of the project's programs: they are built into the folder of the tests' own.
+inline std::string programFile(const std::string& program) {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / program).string();
+}
+
+/// Runs a program inside `folder`, as an argument of the shell's words `before`; -1 if a signal ended it.
+inline ToolResult runTool(const std::string& program, const std::vector<std::string>& arguments,
+                          const std::string& folder, const std::string& before = "") {
   const TempFolder outputs;
-  std::string command = "cd " + quotedForShell(folder) + " && " + before + quotedForShell(file);
+  std::string command = "cd " + quotedForShell(folder) + " && " + before + quotedForShell(programFile(program));
   for (const std::string& argument : arguments) command += " " + quotedForShell(argument);
   command += " >" + quotedForShell(outputs.path("out")) + " 2>" + quotedForShell(outputs.path("err")) + " </dev/null";
   const int status = std::system(command.c_str());

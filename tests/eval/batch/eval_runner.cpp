@@ -11,7 +11,7 @@
 namespace epcc::test {
 
 ToolResult EvalToolTest::runShell(const std::string& before, const std::vector<std::string>& arguments) const {
-  return runTool(EPCC_EVAL, arguments, folder(), before);
+  return runTool("epcc_eval", arguments, folder(), before);
 }
 
 ToolResult EvalToolTest::run(const std::vector<std::string>& arguments) const {

@@ -165,11 +165,13 @@ TEST_F(SegmentGeometry, LengthsOfRays) {
   epcc::writeGray16(path("ray_depth.png"), image);
   const auto distances = [&](const std::vector<std::string>& arguments) {
     std::vector<double> d;
-    for (const auto& plane : planesOf(arguments).at("planes")) d.push_back(plane.at("coefficients")[3].get<double>());
+    const nlohmann::json found = planesOf(arguments);
+    for (const auto& plane : found.at("planes")) d.push_back(plane.at("coefficients")[3].get<double>());
     return d;
   };
   const std::vector<double> depth = distances({"room_depth.png"}), ray = distances({"ray_depth.png", "--distance"});
-  ASSERT_EQ(depth.size(), ray.size());
+  ASSERT_EQ(depth.size(), 2U);
+  ASSERT_EQ(ray.size(), 2U);
   for (std::size_t i = 0; i < depth.size(); ++i) EXPECT_NEAR(depth[i], ray[i], 0.005);
 }
 

@@ -89,7 +89,7 @@ TEST_F(SegmentOptions, VersionIsOneLine) {
 TEST_F(SegmentOptions, AVectorUnitThatTheMachineHasNotIsRefused) {
   const std::vector<std::string> arguments = {"room_depth.png", "room_depth.png", "--out", "out"};
   const auto withUnit = [&](const std::string& unit, const std::vector<std::string>& more) {
-    return epcc::test::runTool(EPCC_SEGMENT, more, folder(), "EPCC_VECTOR_UNIT='" + unit + "' ");
+    return epcc::test::runTool("epcc_segment", more, folder(), "EPCC_VECTOR_UNIT='" + unit + "' ");
   };
   epcc::test::expectFailure(withUnit("abacus", arguments), "epcc_segment", 2,
                             "EPCC_VECTOR_UNIT is 'abacus'; this machine has " + epcc::vectorUnits().front());

@@ -44,7 +44,7 @@ void putBigEndian(std::string& bytes, std::size_t offset, std::uint32_t value, i
 }  // namespace
 
 ToolResult SegmentToolTest::run(const std::vector<std::string>& arguments) const {
-  return runTool(EPCC_SEGMENT, arguments, folder());
+  return runTool("epcc_segment", arguments, folder());
 }
 
 void SegmentToolTest::expectFailure(const std::vector<std::string>& arguments, int exit_code,

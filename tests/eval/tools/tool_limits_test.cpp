@@ -18,28 +18,23 @@ using Arguments = std::vector<std::string>;
 /// `{}` in the arguments stands for the number.
 struct Range {
   const char* program;
-  const char* file;
   Arguments arguments;
   std::vector<std::string> allowed, refused;
 };
 
 const Range kRanges[] = {
-    {"epcc_eval", EPCC_EVAL, {"none", "--jobs", "{}"}, {"0", "1024"}, {"-1", "1025"}},
-    {"epcc_eval", EPCC_EVAL, {"none", "--shard", "1/{}"}, {"1", "1000000"}, {"0", "1000001"}},
-    {"epcc_eval", EPCC_EVAL, {"none", "--seeds", "{}"}, {"1", "1000"}, {"0", "1001"}},
-    {"epcc_eval", EPCC_EVAL, {"none", "--repeatability", "{}"}, {"1", "10000"}, {"0", "10001"}},
-    {"epcc_compare", EPCC_COMPARE, {"--jobs", "{}", "--out", "a/b/c/none"}, {"1024"}, {"-1", "1025"}},
-    {"epcc_lines", EPCC_LINES, {"none", "--out", "out", "--jobs", "{}"}, {"0", "256"}, {"-1", "257"}},
-    {"epcc_segment", EPCC_SEGMENT, {"none.pcd", "--threads", "{}"}, {"1", "256"}, {"0", "257"}},
-    {"epcc_track", EPCC_TRACK, {"none", "--out", "out", "--threads", "{}"}, {"1", "256"}, {"0", "257"}},
-    {"epcc_track", EPCC_TRACK, {"none", "--out", "out", "--frames", "{}"}, {"1", "100000000"}, {"0", "100000001"}},
-    {"epcc_scene", EPCC_SCENE, {"a", "--out", "none/out", "--count", "{}"}, {"1", "100000"}, {"0", "100001"}},
-    {"epcc_scene",
-     EPCC_SCENE,
-     {"a", "--out", "none/out", "--height", "1", "--width", "{}"},
-     {"1", "16384"},
-     {"0", "16385"}},
-    {"epcc_scene", EPCC_SCENE, {"a", "--out", "none/out", "--width", "16000", "--height", "{}"}, {"4000"}, {"4001"}},
+    {"epcc_eval", {"none", "--jobs", "{}"}, {"0", "1024"}, {"-1", "1025"}},
+    {"epcc_eval", {"none", "--shard", "1/{}"}, {"1", "1000000"}, {"0", "1000001"}},
+    {"epcc_eval", {"none", "--seeds", "{}"}, {"1", "1000"}, {"0", "1001"}},
+    {"epcc_eval", {"none", "--repeatability", "{}"}, {"1", "10000"}, {"0", "10001"}},
+    {"epcc_compare", {"--jobs", "{}", "--out", "a/b/c/none"}, {"1024"}, {"-1", "1025"}},
+    {"epcc_lines", {"none", "--out", "out", "--jobs", "{}"}, {"0", "256"}, {"-1", "257"}},
+    {"epcc_segment", {"none.pcd", "--threads", "{}"}, {"1", "256"}, {"0", "257"}},
+    {"epcc_track", {"none", "--out", "out", "--threads", "{}"}, {"1", "256"}, {"0", "257"}},
+    {"epcc_track", {"none", "--out", "out", "--frames", "{}"}, {"1", "100000000"}, {"0", "100000001"}},
+    {"epcc_scene", {"a", "--out", "none/out", "--count", "{}"}, {"1", "100000"}, {"0", "100001"}},
+    {"epcc_scene", {"a", "--out", "none/out", "--height", "1", "--width", "{}"}, {"1", "16384"}, {"0", "16385"}},
+    {"epcc_scene", {"a", "--out", "none/out", "--width", "16000", "--height", "{}"}, {"4000"}, {"4001"}},
 };
 
 class ToolLimits : public TempFolderTest {
@@ -48,7 +43,7 @@ class ToolLimits : public TempFolderTest {
     Arguments arguments = range.arguments;
     for (std::string& word : arguments)
       if (const std::size_t at = word.find("{}"); at != std::string::npos) word.replace(at, 2, number);
-    return runTool(range.file, arguments, folder());
+    return runTool(range.program, arguments, folder());
   }
 };
 
@@ -73,13 +68,14 @@ TEST_F(ToolLimits, NamesAreAsLongAsTheFileSystemAllows) {
   const std::string longest(255 - std::string("_labels.png").size(), 'n');
   writeLabelledFrame(path("rooms"), tinyFrame(longest, 1));
   const std::string input = "rooms/" + longest + "_depth.png";
-  EXPECT_EQ(runTool(EPCC_SEGMENT, {input, "--planes", std::string(250, 'p') + ".json"}, folder()).exit_code, 0);
+  EXPECT_EQ(runTool("epcc_segment", {input, "--planes", std::string(250, 'p') + ".json"}, folder()).exit_code, 0);
   EXPECT_TRUE(exists(std::string(250, 'p') + ".json"));
-  expectFailure(runTool(EPCC_SEGMENT, {std::string(256, 'n') + ".pcd"}, folder()), "epcc_segment", 3, "name too long");
+  expectFailure(runTool("epcc_segment", {std::string(256, 'n') + ".pcd"}, folder()), "epcc_segment", 3,
+                "name too long");
   std::string deep;
   while (deep.size() < 4096) deep += "folder/";
-  expectFailure(runTool(EPCC_SEGMENT, {deep + "a.pcd"}, folder()), "epcc_segment", 3, "name too long");
-  const ToolResult output = runTool(EPCC_SEGMENT, {input, "--planes", std::string(256, 'p') + ".json"}, folder());
+  expectFailure(runTool("epcc_segment", {deep + "a.pcd"}, folder()), "epcc_segment", 3, "name too long");
+  const ToolResult output = runTool("epcc_segment", {input, "--planes", std::string(256, 'p') + ".json"}, folder());
   EXPECT_EQ(output.exit_code, 4) << output.err;
   EXPECT_NE(output.err.find("name too long"), std::string::npos) << output.err;
 }

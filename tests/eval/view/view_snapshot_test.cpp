@@ -66,7 +66,7 @@ class ViewSnapshot : public TempFolderTest {
   }
   ToolResult run(std::vector<std::string> arguments, const std::string& before) const {
     arguments.insert(arguments.end(), {"--size", "640x400"});
-    return runTool(EPCC_VIEW, arguments, folder(), before);
+    return runTool("epcc_view", arguments, folder(), before);
   }
   ToolResult run(const std::vector<std::string>& arguments) const { return run(arguments, display_.command()); }
   void expectFailure(const std::vector<std::string>& arguments, int code, const std::string& words,

@@ -6,6 +6,7 @@
 #include "eval/pictures/label_colors.h"
 #include "tests/eval/view/virtual_display.h"
 #include "tests/support/rendered_room.h"
+#include "tests/support/run_tool.h"
 #include "tests/support/temp_folder.h"
 // Its macros come last.
 #include "tests/eval/view/window_hand.h"
@@ -53,11 +54,12 @@ class ViewWindowTest : public TempFolderTest {
   }
 
   void start() {
+    const std::string program = programFile("epcc_view");
     process_ = ::fork();
     if (process_ == 0) {
       becomeHelper();
       ::setenv("DISPLAY", display_.name().c_str(), 1);
-      ::execl(EPCC_VIEW, EPCC_VIEW, folder().c_str(), "--size", "640x400", "--keys", "t,o,a", nullptr);
+      ::execl(program.c_str(), program.c_str(), folder().c_str(), "--size", "640x400", "--keys", "t,o,a", nullptr);
       ::_exit(127);
     }
     hand_ = std::make_unique<WindowHand>(display_.name());
