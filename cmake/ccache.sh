@@ -1,7 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # The compiler through ccache. Paths below the sources count relative to them, so that a fresh clone anywhere else, as
-# CI has it, finds what another one has compiled: in objects that count lines, too, which have relative paths in them
-# (gcov_paths.sh) and where gcov needs no folder to find a source (gcno_cwd).
+# CI has it, finds what another one has compiled.
 cmake=$(cd "$(dirname "$0")" && pwd)
-CCACHE_BASEDIR=${cmake%/*} CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=gcno_cwd CCACHE_PREFIX=$cmake/gcov_paths.sh exec ccache "$@"
+export CCACHE_BASEDIR="${cmake%/*}" CCACHE_NOHASHDIR=1
+# An object that counts lines is shared, too: it has relative paths in it (gcov_paths.sh), with which gcov needs no
+# folder to find a source (gcno_cwd). ccache takes a prefix with a space in its path for two, and finds it by its name.
+for option; do
+  if [ "$option" = --coverage ]; then
+    export PATH="$cmake:$PATH" CCACHE_PREFIX=gcov_paths.sh CCACHE_SLOPPINESS=gcno_cwd
+  fi
+done
+exec ccache "$@"

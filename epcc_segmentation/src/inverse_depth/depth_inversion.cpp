@@ -22,14 +22,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 
-// As the units' instructions have them.
-HWY_INLINE float larger(float a, float b) {
-  return a > b ? a : b;
-}
-HWY_INLINE float smaller(float a, float b) {
-  return a < b ? a : b;
-}
-
 /// w = 1/z; that of infinity is 0.
 void InvertDepths(const float* depth, std::size_t count, float* w) {
   for (std::size_t i = 0; i < count; ++i) {

@@ -78,6 +78,7 @@ struct PlaneMoments {
     PlaneEstimate estimate;
     estimate.inverse = a.inverse();
     estimate.q = estimate.inverse * rays_w;
+    // No number where there is no q.
     estimate.rss = std::max(w_w - 2.0 * estimate.q.dot(rays_w) + estimate.q.dot(rays * estimate.q), 0.0);
     return estimate;
   }

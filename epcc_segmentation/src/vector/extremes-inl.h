@@ -41,6 +41,18 @@ HWY_INLINE V smaller(V a, V b) {
   return hwy::HWY_NAMESPACE::IfThenElse(hwy::HWY_NAMESPACE::Lt(a, b), a, b);
 }
 
+#if HWY_TARGET == HWY_EMU128  // whose kernels have plain loops
+
+HWY_INLINE float larger(float a, float b) {
+  return a > b ? a : b;
+}
+
+HWY_INLINE float smaller(float a, float b) {
+  return a < b ? a : b;
+}
+
+#endif
+
 #endif
 
 }  // namespace

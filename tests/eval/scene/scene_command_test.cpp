@@ -148,7 +148,7 @@ TEST_F(SceneCommand, HelpsAndNamesItsVersion) {
 
 TEST_F(SceneCommand, MeasuresRealFrames) {
   EPCC_NEED_REAL_FRAMES("realsense");
-  if (kIsSanitized) GTEST_SKIP() << "two minutes of noise that is simulated: the same for each frame";
+  if (kIsSanitized) GTEST_SKIP() << "simulating the noise of real frames takes a sanitizer two minutes";
   const std::string out = outputOf({"--measure-noise", realFolder("realsense")});
   EXPECT_NE(out.find("stereo-registered: 6 frames"), std::string::npos);
   EXPECT_NE(out.find("| columns, simulated |"), std::string::npos);
