@@ -14,7 +14,7 @@ bool isPlane(const PlaneMoments& region, const InverseDepthParameters& parameter
     return false;
   const RegionPlane plane(region);
   const double chi2 = plane.rss / (region.n * plane.slope_factor);
-  if (chi2 > evidence.max_chi2) return false;
+  if (!(chi2 <= evidence.max_chi2)) return false;  // nor is what has no plane
   double needed = evidence.min_evidence * std::max(0.5, chi2);
   if (chi2 > 1.0) needed = std::max(needed, evidence.rough_evidence);
   return region.n / pixels_per_sample >= needed;

@@ -161,6 +161,10 @@ TEST(Evidence, SizeRoughnessAndIndependentSamplesDecide) {
   EXPECT_TRUE(epcc::isPlane(flatRegion(100, 0.5), parameters, kWhite));
   EXPECT_FALSE(epcc::isPlane(flatRegion(59, 0.5), parameters, kWhite));
   EXPECT_FALSE(epcc::isPlane(flatRegion(2000, 2.2), parameters, kWhite));  // chi^2 4.8
+  epcc::PlaneMoments without;                                              // 1e-110 m away: no plane can be computed
+  for (int i = 0; i < 100; ++i) without.add({0.01 * i, 0.2, 1.0}, 1e110, 1e-220);
+  ASSERT_TRUE(std::isnan(epcc::RegionPlane(without).rss));
+  EXPECT_FALSE(epcc::isPlane(without, parameters, kWhite));
   EXPECT_TRUE(epcc::isPlane(flatRegion(700, 0.5), parameters, blotchy));
   EXPECT_FALSE(epcc::isPlane(flatRegion(500, 0.5), parameters, blotchy));   // 5 samples
   EXPECT_FALSE(epcc::isPlane(flatRegion(1000, 1.3), parameters, blotchy));  // 10 samples, chi^2 1.7
