@@ -3,6 +3,7 @@
 #include "datasets/sources/frame_copies.h"
 
 #include <cstdio>
+#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -65,15 +66,30 @@ void halve(LabelledFrame& frame) {
   gather(frame, [](int row, int column) { return std::pair(2 * row, 2 * column); });
 }
 
+void removePixels(LabelledFrame& frame) {
+  std::mt19937 random(1);
+  for (float& depth : frame.depth.data)
+    if (random() % 4 == 0) depth = 0.0F;
+}
+
 }  // namespace
 
 std::vector<FrameCopy> frameCopies() {
-  return {FrameCopy::Mirrored, FrameCopy::Transposed, FrameCopy::HalfResolution};
+  return {FrameCopy::Mirrored, FrameCopy::Transposed, FrameCopy::HalfResolution, FrameCopy::Holes};
 }
 
 std::string copyName(FrameCopy copy) {
-  if (copy == FrameCopy::Mirrored) return "mirrored";
-  return copy == FrameCopy::Transposed ? "transposed" : "half";
+  switch (copy) {
+    case FrameCopy::Mirrored:
+      return "mirrored";
+    case FrameCopy::Transposed:
+      return "transposed";
+    case FrameCopy::HalfResolution:
+      return "half";
+    case FrameCopy::Holes:
+      break;
+  }
+  return "holes";
 }
 
 LabelledFrame copiedFrame(const LabelledFrame& frame, FrameCopy copy) {
@@ -84,6 +100,7 @@ LabelledFrame copiedFrame(const LabelledFrame& frame, FrameCopy copy) {
   if (copy == FrameCopy::Mirrored) mirror(result);
   if (copy == FrameCopy::Transposed) transpose(result);
   if (copy == FrameCopy::HalfResolution) halve(result);
+  if (copy == FrameCopy::Holes) removePixels(result);
   return result;
 }
 

@@ -11,14 +11,15 @@
 namespace epcc {
 
 enum class FrameCopy {
-  Mirrored,       ///< left and right change places
-  Transposed,     ///< rows become columns
-  HalfResolution  ///< every second pixel of every second row
+  Mirrored,        ///< left and right change places
+  Transposed,      ///< rows become columns
+  HalfResolution,  ///< every second pixel of every second row
+  Holes            ///< a quarter of the pixels has no depth, at random, the same ones of all frames of a size
 };
 
 /// All of them.
 std::vector<FrameCopy> frameCopies();
-/// "mirrored", "transposed", "half".
+/// "mirrored", "transposed", "half", "holes".
 std::string copyName(FrameCopy copy);
 
 /// Depth, labels and camera of a camera's frame copied; std::invalid_argument for a spherical scan. At half the

@@ -233,12 +233,14 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
   const int stride = pipeline.gridStride(frame.width(), frame.height(), known_);
   workspace_->image.read(frame, parameters_.threads, stride);
   ScatteredPixels* const scattered = workspace_->scattered.find(workspace_->image) ? &workspace_->scattered : nullptr;
+  const bool holds_together = scattered == nullptr || scattered->holdsTogether();
   if (scattered != nullptr) result.doubts.scattered_share = scattered->validShare();
   times_.read = watch.lap();
-  adaptSensor(scattered != nullptr ? scattered->blocks() : workspace_->image, result.doubts);  // S0
+  adaptSensor(scattered == nullptr ? workspace_->image : scattered->measurable(workspace_->image),
+              result.doubts);  // S0
   times_.sensor = watch.lap();
   pipeline.configure(parameters_, sensor_);
-  const bool continues = known_ != nullptr && scattered == nullptr;
+  const bool continues = known_ != nullptr && holds_together;
   if (!continues) pipeline.begin(workspace_->image, scattered);
   times_.read += watch.lap();
   if (continues) pipeline.beginKnown(workspace_->image, *known_, *continuation_);
@@ -295,9 +297,10 @@ void PlaneExtractor::measureSensor(const DepthFrame& frame, Doubts& doubts) {
   StopWatch watch;
   workspace_->image.read(frame, parameters_.threads);
   times_.read = watch.lap();
-  const bool is_scattered = workspace_->scattered.find(workspace_->image);
-  if (is_scattered) doubts.scattered_share = workspace_->scattered.validShare();
-  adaptSensor(is_scattered ? workspace_->scattered.blocks() : workspace_->image, doubts);
+  ScatteredPixels& scattered = workspace_->scattered;
+  const InverseDepthImage& measured = scattered.measuredForm(workspace_->image);
+  if (&measured != &workspace_->image) doubts.scattered_share = scattered.validShare();
+  adaptSensor(measured, doubts);
   times_.sensor = watch.lap();
 }
 

@@ -12,8 +12,11 @@ namespace epcc {
 
 namespace {
 
-constexpr double kManyPixels = 0.6;    // of all: such a frame is not asked further
-constexpr double kScattered = 0.7;     // share of valid pixels whose neighbour is valid; whole surfaces have over 0.9
+constexpr double kManyPixels = 0.9;  // of all: such a frame is not asked further
+// Share of valid pixels whose neighbour is valid; whole surfaces have over 0.9. Where a sample stands for several
+// pixels anyway, a block that offers another one costs no resolution.
+constexpr double kScattered = 0.7, kScatteredSamples = 0.85;
+constexpr double kMeasurable = 0.5;    // the same of an image that tells the sensor's error as it is
 constexpr double kHoldTogether = 0.8;  // the same of blocks
 constexpr double kAlike = 0.1;         // shares that differ less grow together
 constexpr int kLargestGridStep = 16;
@@ -28,13 +31,17 @@ bool isValid(float w) {
   return w > 0.0f;
 }
 
-long countValid(const float* row, int width) {
-  return std::count_if(row, row + width, isValid);
+// Counters as wide as a float, and no branches: loops that compilers turn into vectors.
+
+int countValid(const float* row, int width) {
+  int count = 0;
+  for (int i = 0; i < width; ++i) count += static_cast<int>(isValid(row[i]));
+  return count;
 }
 
-long countPairs(const float* first, const float* second, int width) {
-  long count = 0;
-  for (int i = 0; i < width; ++i) count += isValid(first[i]) && isValid(second[i]) ? 1 : 0;
+int countPairs(const float* first, const float* second, int width) {
+  int count = 0;
+  for (int i = 0; i < width; ++i) count += static_cast<int>(isValid(first[i])) & static_cast<int>(isValid(second[i]));
   return count;
 }
 
@@ -57,7 +64,8 @@ double shareOfValid(const InverseDepthImage& image) {
   return all > 0 ? static_cast<double>(valid) / static_cast<double>(all) : 0.0;
 }
 
-bool areNeighboursMissing(const InverseDepthImage& image) {
+/// Share of the valid pixels whose neighbour is valid, along rows or along columns, whichever is less.
+double shareOfNeighbours(const InverseDepthImage& image) {
   Neighbours seen;
   forSomeRows(image.height - 1, [&](int row) {
     for (const int r : {row, row + 1}) {
@@ -66,7 +74,7 @@ bool areNeighboursMissing(const InverseDepthImage& image) {
     }
     seen.below += 2 * countPairs(rowOf(image, row), rowOf(image, row + 1), image.width - 1);
   });
-  return static_cast<double>(std::min(seen.right, seen.below)) < kScattered * static_cast<double>(seen.valid);
+  return seen.valid > 0 ? static_cast<double>(std::min(seen.right, seen.below)) / static_cast<double>(seen.valid) : 1.0;
 }
 
 /// A pixel of a block, from its first one.
@@ -99,7 +107,12 @@ struct BlockOrder {
 
 bool ScatteredPixels::find(const InverseDepthImage& image) {
   valid_share_ = shareOfValid(image);
-  if (valid_share_ >= kManyPixels || image.width < 2 || image.height < 2 || !areNeighboursMissing(image)) return false;
+  if (valid_share_ >= kManyPixels || image.width < 2 || image.height < 2) return false;
+  const double neighbours = shareOfNeighbours(image);
+  holds_together_ = neighbours >= kScattered;
+  tells_error_ = neighbours >= kMeasurable;
+  const bool is_sampled = strideFor(longerSide(image.width, image.height), 0) > 1;
+  if (neighbours >= (is_sampled ? kScatteredSamples : kScattered)) return false;
   fill(image, chooseSteps(image));
   return true;
 }
@@ -112,12 +125,16 @@ GridSteps ScatteredPixels::chooseSteps(const InverseDepthImage& image) {
     for (int c = 0; c < image.width; ++c)
       block_of_column_[static_cast<std::size_t>(c)] = std::min(c / steps.across, width - 1);
     is_filled_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-    for (int r = 0; r < image.height; ++r) {
-      const float* w = image.w.data() + image.index(r, 0);
-      std::uint8_t* filled =
-          is_filled_.data() + static_cast<std::ptrdiff_t>(std::min(r / steps.along, height - 1)) * width;
-      for (int c = 0; c < image.width; ++c)
-        if (isValid(w[c])) filled[block_of_column_[static_cast<std::size_t>(c)]] = 1;
+    for (int block = 0, r = 0; block < height; ++block) {
+      column_filled_.assign(static_cast<std::size_t>(image.width), 0.0f);
+      for (const int end = block + 1 < height ? r + steps.along : image.height; r < end; ++r) {
+        const float* w = image.w.data() + image.index(r, 0);
+        for (int c = 0; c < image.width; ++c)
+          column_filled_[static_cast<std::size_t>(c)] += isValid(w[c]) ? 1.0f : 0.0f;
+      }
+      std::uint8_t* filled = is_filled_.data() + static_cast<std::ptrdiff_t>(block) * width;
+      for (std::size_t c = 0; c < column_filled_.size(); ++c)
+        filled[block_of_column_[c]] |= static_cast<std::uint8_t>(column_filled_[c] > 0.0f);
     }
     long with_right = 0, right = 0, with_below = 0, below = 0;
     for (int r = 0; r < height; ++r) {

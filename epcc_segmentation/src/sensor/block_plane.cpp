@@ -142,13 +142,13 @@ bool fitQuarter(const BlockSamples& quarter, const BlockRays& rays, float median
 
 }  // namespace
 
-bool fitBlock(const InverseDepthImage& image, const BlockPlace& place, FittedBlock& block) {
+bool fitBlock(const InverseDepthImage& image, const BlockPlace& place, FittedBlock& block, double full_share) {
   const int side = place.side;
   assert(side > 1 && side <= kMaxBlock);
   assert(place.row >= 0 && place.row + side <= image.height && place.column >= 0 && place.column + side <= image.width);
   BlockSamples& all = block.samples;
   gatherBlock(image.w.data() + image.index(place.row, place.column), static_cast<std::size_t>(image.width), side, all);
-  if (all.valid < kMinValidShare * side * side) return false;
+  if (all.valid < kMinValidShare * full_share * side * side) return false;
   BlockSamples quarter;
   gatherQuarter(all, quarter);
   const float median = roughMedian(quarter);

@@ -26,7 +26,8 @@ struct FittedBlock {
   double step = 0.0;      ///< smallest difference of two inverse depths
 };
 
-/// False if less than 80 % of the block is valid or it has no plane.
-bool fitBlock(const InverseDepthImage& image, const BlockPlace& place, FittedBlock& block);
+/// False if less than 80 % of the block is valid or it has no plane. `full_share` is what is valid of a block where the
+/// scene has no holes (ImageBlocks::fullShare()): the 80 % are of that.
+bool fitBlock(const InverseDepthImage& image, const BlockPlace& place, FittedBlock& block, double full_share = 1.0);
 
 }  // namespace epcc

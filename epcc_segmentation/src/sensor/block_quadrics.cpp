@@ -69,9 +69,15 @@ double pooledSquares(const PartSums& sums, int count, float least_pixels) {
   return pixels > 0.0 ? total / pixels : 0.0;
 }
 
+/// Of the squares of white error on so many pixels, what a quadric leaves.
+double shareLeft(float pixels) {
+  return 1.0 - static_cast<double>(kTerms) / static_cast<double>(pixels);
+}
+
 }  // namespace
 
-QuadricResiduals fitQuadrics(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, float gate) {
+QuadricResiduals fitQuadrics(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, float gate,
+                             double full_share) {
   assert(samples.side % (4 * kPartsAcross) == 0);
   PartPixels parts;
   parts.side = samples.side / kPartsAcross;
@@ -84,7 +90,10 @@ QuadricResiduals fitQuadrics(const BlockSamples& samples, const BlockRays& rays,
   QuadricResiduals result;
   const auto measure = [&](std::size_t scale, int across) {
     const auto side = static_cast<float>(samples.side / across);
-    result.squares[scale] = pooledSquares(sums, across * across, std::max(kMinPixels, kMinShare * side * side));
+    const float full = static_cast<float>(full_share) * side * side;
+    const double squares = pooledSquares(sums, across * across, std::max(kMinPixels, kMinShare * full));
+    // Of fewer pixels a quadric takes a larger share: as if none was missing.
+    result.squares[scale] = squares * shareLeft(side * side) / shareLeft(full);
   };
   measure(0, 4);
   PartShifts shifts{};

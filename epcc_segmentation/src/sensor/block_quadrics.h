@@ -15,11 +15,12 @@ constexpr int kScales = 3;
 struct QuadricResiduals {
   double inliers = 0.0;  ///< of the plane, |e| <= gate
   /// Mean squares after a quadric (1, x, y, x^2, xy, y^2) over the inliers of each part, pooled over the parts of which
-  /// at least 60 %, and 12 pixels, are inliers; 0 where there is no such part.
+  /// at least 60 % of what may be valid, and 12 pixels, are inliers; 0 where there is no such part.
   std::array<double, kScales> squares{};
 };
 
 /// The side must be four times a multiple of four. The sums over a part come from those over its quarters.
-QuadricResiduals fitQuadrics(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, float gate);
+QuadricResiduals fitQuadrics(const BlockSamples& samples, const BlockRays& rays, const SamplePlane& plane, float gate,
+                             double full_share = 1.0);
 
 }  // namespace epcc

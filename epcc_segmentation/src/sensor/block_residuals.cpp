@@ -8,10 +8,10 @@ namespace {
 constexpr double kMinInlierShare = 0.75;
 }
 
-std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, const BlockPlace& place) {
+std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, const BlockPlace& place, double full_share) {
   FittedBlock block;
-  if (!fitBlock(image, place, block)) return std::nullopt;
-  const QuadricResiduals quadrics = fitQuadrics(block.samples, block.rays, block.plane, block.gate);
+  if (!fitBlock(image, place, block, full_share)) return std::nullopt;
+  const QuadricResiduals quadrics = fitQuadrics(block.samples, block.rays, block.plane, block.gate, full_share);
   if (quadrics.inliers < kMinInlierShare * block.samples.valid) return std::nullopt;
   BlockResiduals result;
   result.depth = block.depth;

@@ -27,7 +27,9 @@ struct BlockResiduals {
   double deviationAlong(double axial) const { return deviation * std::pow(slant, 0.5 * axial); }
 };
 
-/// Nothing if less than 80 % of the block is valid or less than 75 % of that lies on one plane.
-std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, const BlockPlace& place);
+/// Nothing if less than 80 % of what may be valid of the block (fitBlock()) is valid, or less than 75 % of that lies on
+/// one plane.
+std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, const BlockPlace& place,
+                                           double full_share = 1.0);
 
 }  // namespace epcc

@@ -30,6 +30,9 @@ class ImageBlocks {
   /// Places of the blocks, flat or not.
   static int placeCount(const InverseDepthImage& image, int block_size);
   static BlockPlace place(const InverseDepthImage& image, int block_size, int number);
+  /// What is valid of the fullest block: all but where the sensor misses pixels everywhere, on flat walls too. At least
+  /// a half, for a frame with fewer is ScatteredPixels' business.
+  static double fullShare(const InverseDepthImage& image, int block_size);
 
   int blockSize() const { return block_size_; }
   const std::vector<BlockResiduals>& flat() const { return flat_; }

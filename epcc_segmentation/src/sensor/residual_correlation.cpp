@@ -64,9 +64,10 @@ ResidualCorrelation::ResidualCorrelation(int block_size) : side_(block_size) {
 }
 
 void ResidualCorrelation::add(const InverseDepthImage& image) {
+  const double full_share = ImageBlocks::fullShare(image, side_);
   for (int i = 0; i < ImageBlocks::placeCount(image, side_); ++i) {
     FittedBlock block;
-    if (fitBlock(image, ImageBlocks::place(image, side_, i), block)) addBlock(block);
+    if (fitBlock(image, ImageBlocks::place(image, side_, i), block, full_share)) addBlock(block);
   }
 }
 

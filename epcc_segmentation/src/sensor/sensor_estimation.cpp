@@ -66,7 +66,7 @@ SensorEstimate estimateSensor(const DepthFrame& frame) {
   SensorCloud cloud;
   if (!frame.empty()) image.read(inSensorFrame(frame, cloud));
   ScatteredPixels scattered;
-  return ImageEstimation().whole(scattered.denseForm(image));
+  return ImageEstimation().whole(scattered.measuredForm(image));
 }
 
 ImageEstimation::ImageEstimation() : fitter_(kMaxBlocks) {

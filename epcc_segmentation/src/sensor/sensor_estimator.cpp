@@ -138,7 +138,7 @@ SensorEstimator::~SensorEstimator() = default;
 SensorEstimate SensorEstimator::update(const DepthFrame& frame) {
   if (frame.empty()) return stream_->summary;  // nothing to learn
   stream_->image.read(inSensorFrame(frame, stream_->cloud));
-  return update(stream_->scattered.denseForm(stream_->image));
+  return update(stream_->scattered.measuredForm(stream_->image));
 }
 
 SensorEstimate SensorEstimator::update(const InverseDepthImage& image) {

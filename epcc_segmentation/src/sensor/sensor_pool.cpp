@@ -47,7 +47,7 @@ bool SensorPool::add(const DepthFrame& any_frame) {
   const DepthFrame frame = inSensorFrame(any_frame, pool.cloud);
   if (pool.frames > 0 && (frame.width() != pool.width || frame.height() != pool.height)) return false;
   pool.image.read(frame);
-  const InverseDepthImage& image = pool.scattered.denseForm(pool.image);
+  const InverseDepthImage& image = pool.scattered.measuredForm(pool.image);
   if (pool.frames == 0)
     pool.begin(frame, image);
   else if (!(image.steps == pool.first.steps))

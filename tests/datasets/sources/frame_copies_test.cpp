@@ -63,6 +63,21 @@ TEST(FrameCopies, HalfTheResolutionKeepsPointsAndHalvesTheCorrelationLength) {
   EXPECT_EQ(model.sigmaZ(2.0), SensorModel::preset("realsense-registered")->sigmaZ(2.0));
 }
 
+TEST(FrameCopies, HolesLeaveTheOtherPixelsAndAllLabels) {
+  const LabelledFrame frame = original(), copy = copiedFrame(frame, FrameCopy::Holes);
+  EXPECT_EQ(copy.labels.data, frame.labels.data);
+  std::size_t holes = 0;
+  for (std::size_t i = 0; i < frame.depth.data.size(); ++i) {
+    ASSERT_GT(frame.depth.data[i], 0.0F);
+    if (copy.depth.data[i] == 0.0F)
+      ++holes;
+    else
+      EXPECT_EQ(copy.depth.data[i], frame.depth.data[i]);
+  }
+  EXPECT_NEAR(static_cast<double>(holes) / static_cast<double>(frame.depth.data.size()), 0.25, 0.02);
+  EXPECT_EQ(copiedFrame(frame, FrameCopy::Holes).depth.data, copy.depth.data);
+}
+
 TEST(FrameCopies, OddSizesKeepTheirLastPixel) {
   LabelledFrame frame = original();
   frame.camera.camera.width = 79;

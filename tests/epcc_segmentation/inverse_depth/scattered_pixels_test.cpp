@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <random>
 
@@ -16,11 +17,12 @@ namespace {
 
 constexpr int kImageWidth = 640, kImageHeight = 480;
 
-InverseDepthImage imageWith(const std::function<bool(int, int)>& keep) {
-  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(kImageWidth, kImageHeight));
-  for (int row = 0; row < kImageHeight; ++row)
-    for (int column = 0; column < kImageWidth; ++column)
-      if (!keep(row, column)) room.depth[static_cast<std::size_t>(row * kImageWidth + column)] = 0.0f;
+InverseDepthImage imageWith(const std::function<bool(int, int)>& keep, int width = kImageWidth,
+                            int height = kImageHeight) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(width, height));
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+      if (!keep(row, column)) room.depth[static_cast<std::size_t>(row * width + column)] = 0.0f;
   InverseDepthImage image;
   image.read(room.frame());
   return image;
@@ -45,6 +47,35 @@ TEST(ScatteredPixels, BlocksAreAsSmallAsThePatternAllows) {
   ASSERT_TRUE(scattered.find(imageWith([&](int, int) { return random() % 10 == 0; })));
   EXPECT_EQ(scattered.blocks().steps, GridSteps(4, 4));
   EXPECT_NEAR(scattered.validShare(), 0.1, 0.01);
+}
+
+// Of a large image only some pixels are samples, so that another one of their block costs nothing; of a small one each
+// is, and blocks would be a coarser image.
+TEST(ScatteredPixels, SamplesOfLargeImagesAreWhatIsThereOfTheirBlocks) {
+  std::mt19937 random(1);
+  const auto missing = [&random](unsigned percent) {
+    return [&random, percent](int, int) { return random() % 100 >= percent; };
+  };
+  ScatteredPixels scattered;
+  ASSERT_TRUE(scattered.find(imageWith(missing(25))));
+  EXPECT_EQ(scattered.blocks().steps, GridSteps(2, 2));
+  EXPECT_TRUE(scattered.holdsTogether());
+  const auto& w = scattered.blocks().w;
+  EXPECT_GT(std::count_if(w.begin(), w.end(), [](float value) { return value > 0.0f; }),
+            0.99 * static_cast<double>(w.size()));
+  EXPECT_FALSE(scattered.find(imageWith(missing(12))));
+  EXPECT_FALSE(scattered.find(imageWith(missing(25), 320, 240)));
+  ASSERT_TRUE(scattered.find(imageWith(missing(40))));
+  EXPECT_FALSE(scattered.holdsTogether());
+}
+
+TEST(ScatteredPixels, TheErrorIsMeasuredOnAnImageDownToHalfOfItsNeighbours) {
+  std::mt19937 random(1);
+  const InverseDepthImage some = imageWith([&](int, int) { return random() % 5 < 3; });
+  const InverseDepthImage few = imageWith([&](int, int) { return random() % 4 == 0; });
+  ScatteredPixels scattered;
+  EXPECT_EQ(&scattered.measuredForm(some), &some);
+  EXPECT_EQ(&scattered.measuredForm(few), &scattered.blocks());
 }
 
 TEST(ScatteredPixels, RaysOfRegularPatternsAreExact) {

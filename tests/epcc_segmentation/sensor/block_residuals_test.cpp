@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "epcc_segmentation/vector_unit.h"
+#include "sensor/image_blocks.h"
 
 namespace epcc {
 namespace {
@@ -108,6 +109,37 @@ TEST(BlockResiduals, HolesAndOutliersChangeLittleUntilThereAreTooMany) {
   for (int row = 3; row < 35; ++row)
     for (int column = 10; column < 12; ++column) image.w[image.index(row, column)] = 0.0f;  // 22 %
   EXPECT_FALSE(measureBlock(image, {3, 5, 32}));
+}
+
+TEST(BlockResiduals, OfASensorThatMissesPixelsEverywhereLessIsAsked) {
+  const auto whole = wall(0.001f);
+  auto holed = whole;
+  std::mt19937 random(2);
+  for (float& w : holed.w)
+    if (random() % 10 < 3) w = 0.0f;
+  for (const int size : {16, 32}) {
+    const auto before = measureBlock(whole, {3, 5, size});
+    EXPECT_FALSE(measureBlock(holed, {3, 5, size})) << size;
+    const auto block = measureBlock(holed, {3, 5, size}, 0.7);
+    ASSERT_TRUE(before && block) << size;
+    EXPECT_NEAR(block->deviation / before->deviation, 1.0, 4.0 / size) << size;
+    EXPECT_NEAR(block->kept[1], before->kept[1], 0.1) << size;
+  }
+  EXPECT_NEAR(measureBlock(holed, {3, 5, 32}, 0.7)->kept[0], measureBlock(whole, {3, 5, 32})->kept[0], 0.1);
+}
+
+TEST(BlockResiduals, TheFullestBlockTellsWhatASensorMisses) {
+  auto image = wall(0.001f);
+  for (std::size_t i = 0; i < image.w.size(); i += 4) image.w[i] = 0.0f;
+  EXPECT_NEAR(ImageBlocks::fullShare(image, 16), 0.75, 0.01);
+  for (int row = 0; row < 32; ++row)
+    for (int column = 16; column < kColumnsOfBlocks; ++column) image.w[image.index(row, column)] = 0.0f;
+  EXPECT_NEAR(ImageBlocks::fullShare(image, 16), 0.75, 0.01) << "holes of the scene are elsewhere";
+  image.w.assign(image.w.size(), 0.5f);
+  image.w[0] = 0.0f;
+  EXPECT_EQ(ImageBlocks::fullShare(image, 16), 1.0);
+  image.w.assign(image.w.size(), 0.0f);
+  EXPECT_EQ(ImageBlocks::fullShare(image, 16), 0.5);
 }
 
 TEST(BlockResiduals, AConstantBlockHasNoErrorAndNoStep) {

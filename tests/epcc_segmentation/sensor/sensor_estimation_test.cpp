@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -226,6 +227,28 @@ TEST(SensorEstimation, ClutterOnHalfOfTheFrameChangesLittle) {
   const double a = epcc::estimateSensor(clean.frame()).model().sigmaZ(1.8);
   const double b = epcc::estimateSensor(cluttered.frame()).model().sigmaZ(1.8);
   EXPECT_NEAR(b / a, 1.0, 0.35);
+}
+
+// Those that have no depth are no sign of clutter, be they scattered or in lines.
+TEST(SensorEstimation, PixelsThatAreMissingEverywhereChangeLittle) {
+  auto whole = room();
+  addBlotches(whole, SensorModel::axial(0.002, 0.002), 3.0, 2);
+  const auto expected = epcc::estimateSensor(whole.frame());
+  std::mt19937 random(4);
+  const std::vector<std::function<bool(int, int)>> patterns = {
+      [&](int, int) { return random() % 10 < 3; }, [](int row, int column) { return row % 5 == 2 || column % 5 == 2; },
+      [](int row, int) { return row % 4 == 3; }};
+  for (std::size_t i = 0; i < patterns.size(); ++i) {
+    auto holed = whole;
+    for (int row = 0; row < 480; ++row)
+      for (int column = 0; column < 640; ++column)
+        if (patterns[i](row, column)) holed.depth[static_cast<std::size_t>(row * 640 + column)] = 0.0f;
+    const auto estimate = epcc::estimateSensor(holed.frame());
+    EXPECT_GT(estimate.blocks, 0.9 * static_cast<double>(expected.blocks)) << i;
+    EXPECT_NEAR(estimate.correlation_length / expected.correlation_length, 1.0, 0.1) << i;
+    for (const double z : {2.2, 2.8})
+      EXPECT_NEAR(estimate.model().sigmaZ(z) / expected.model().sigmaZ(z), 1.0, 0.1) << i << " at " << z;
+  }
 }
 
 TEST(SensorEstimation, NothingToMeasureGivesTheGenericSensor) {

@@ -110,10 +110,10 @@ TEST(AccuracyTables, FramesThatAMethodFailedOnAreSaid) {
 
 TEST(AccuracyTables, CopiesWithoutPresetSaySo) {
   AccuracyResult result;
-  for (const char* dataset : {"sensors", "sensors-mirrored", "sensors-transposed", "sensors-half"})
+  for (const char* dataset : {"sensors", "sensors-mirrored", "sensors-transposed", "sensors-half", "sensors-holes"})
     result.all.add(record(dataset, "l515_a", kAutoMethod, 2));
   const Table table = tableNamed("copies", result);
-  ASSERT_EQ(table.rows.size(), 4U);
+  ASSERT_EQ(table.rows.size(), 5U);
   EXPECT_EQ(table.rows[0], (Row{"sensors", "original", "4", "1.50", "0.75", "2", "7", "-", "-"}));
 }
 
