@@ -23,7 +23,6 @@ constexpr int kRounds = 3;
 // An effective length of 0.4 is that of grain alone.
 // Sigma of the model over that of the error, if it is blotches: their residuals scatter from block to block.
 constexpr double kSigmaOverBlotches = 2.4;
-constexpr double kSigmaOverSteps = 2.6;
 constexpr double kPlaceOfBlotch = 1.2;
 constexpr double kMaxBinWeight = 20.0;
 
@@ -33,11 +32,6 @@ constexpr double kFacesOfImage = 69.0;
 // A scanner measures each pixel by itself. Where its residuals agree farther than that, it is the offset of a ring, or
 // the scene: streets and facades are never flat.
 constexpr double kLengthOfScans = 1.0;
-
-/// Standard deviation of an even distribution over an interval of this width.
-double evenDeviation(double width) {
-  return width / std::sqrt(12.0);
-}
 
 double largestLength(double width, double height) {
   return std::sqrt(width * height) / kFacesOfImage;
@@ -166,15 +160,15 @@ SensorMeasurement ImageEstimation::describe(const InverseDepthImage& image) {
   return result;
 }
 
-/// What the model is to say at each bin. Three errors: what is seen; at least the quantisation of the depth, which flat
-/// blocks may hide; and the place of a value, which is known to a blotch on surfaces of any slope.
+/// What the model is to say at each bin. Three errors: what is seen; at least the rounding of the depth, up to half a
+/// step, which flat blocks may hide; and the place of a value, which is known to a blotch on surfaces of any slope.
 void ImageEstimation::findTargets(double blotchy, double place) {
   targets_.clear();
   const double over_residual =
       std::sqrt((1.0 - blotchy + blotchy * kSigmaOverBlotches * kSigmaOverBlotches) * blotches_.variance);
   for (std::size_t i = 0; i < bins_.size(); ++i) {
     const DepthBin& bin = bins_[i];
-    const double seen = std::max(over_residual * bin.deviation, kSigmaOverSteps * evenDeviation(bin.step));
+    const double seen = std::max(over_residual * bin.deviation, 0.5 * bin.step);
     const double sigma = std::hypot(seen, place * bin.depth);
     if (sigma > 0.0) targets_.push_back({bin.depth, std::log(sigma), std::min(bin.weight(), kMaxBinWeight)});
   }
