@@ -13,6 +13,7 @@
 #include "eval/experiment/in_order.h"
 #include "eval/experiment/timed_experiment.h"
 #include "eval/program/frame_sensor.h"
+#include "eval/program/memory_reserve.h"
 
 namespace epcc {
 
@@ -73,6 +74,7 @@ FrameResult failedFrame(const FrameJob& job, const std::vector<Method>& methods,
 
 FrameResult evaluateFrame(const FrameJob& job, const std::vector<Method>& methods, const Segmenters& segmenters,
                           const ExperimentOptions& options) {
+  reserveMemory();  // a frame before may have needed it
   try {
     FrameResult result = emptyResult(job, methods);
     result.frame = readScorable(job);

@@ -12,6 +12,7 @@
 
 #include "datasets/support/input_error.h"
 #include "epcc_segmentation/vector_unit.h"
+#include "eval/program/memory_reserve.h"
 
 namespace epcc {
 
@@ -76,6 +77,7 @@ int reportProblem(const std::string& program, std::ostream& err, const std::stri
 }
 
 int runStep(const std::string& program, std::ostream& err, const std::function<int()>& step) {
+  reserveMemory();
   try {
     return step();
   } catch (const OutputError& error) {
@@ -95,6 +97,7 @@ int runProgram(const std::string& program, std::ostream& out, std::ostream& err,
 
 int runMain(const char* program, int (*run)(int, const char* const*, std::ostream&, std::ostream&), int argc,
             const char* const* argv) {
+  reserveMemory();
   try {
     return run(argc, argv, std::cout, std::cerr);
   } catch (const std::bad_alloc&) {
