@@ -89,6 +89,10 @@ void bindDoubts(py::module_& module) {
                     "Of neighbours whose depths differ, the share that differs by over a tenth; doubtful from 0.1 on.")
       .def_readonly("scattered_share", &Doubts::scattered_share,
                     "Share of the pixels that are measured, if they are scattered, else 1; doubtful below 0.05.")
+      .def_readonly("limit_share", &Doubts::limit_share,
+                    "Share of the pixels at exactly the largest or smallest depth, if these stand apart; doubtful from "
+                    "0.01 on.")
+      .def_readonly("limit_depth", &Doubts::limit_depth, "That depth, metres; 0 if limit_share is.")
       .def_readonly("bytes_are_swapped", &Doubts::bytes_are_swapped,
                     "Of uint16 images: the values are smooth only once the two bytes of each are swapped.")
       .def("any", &Doubts::any, "Whether there is anything to say.")

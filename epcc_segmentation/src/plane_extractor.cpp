@@ -268,7 +268,7 @@ int PlaneExtractor::extractInverseDepth(const DepthFrame& frame, PlaneSegmentati
 
 void PlaneExtractor::adaptSensor(const InverseDepthImage& image, Doubts& doubts) {
   sensor_ = given_sensor_;
-  doubts.jump_share = image.place_of_pixel > 0.0 ? 0.0 : jumpShare(image);
+  doubtDepths(image, doubts);
   if (!measures_sensor_ && !parameters_.inverse_depth.adapt_sensor) return;
   // Where nothing is looked for, a sensor that is known needs no measuring.
   const bool rests = known_ != nullptr && known_->may_wait && !known_->search && workspace_->estimator.isSettled();

@@ -174,6 +174,7 @@ def test_doubts_are_fields_and_words(camera, depth):
     assert 0 < result.doubts.error_share < 0.01
     assert 0 <= result.doubts.jump_share < 0.1
     assert result.doubts.scattered_share == 1.0
+    assert result.doubts.limit_share == result.doubts.limit_depth == 0.0
     with pytest.raises(AttributeError):
         result.doubts.error_share = 0
 

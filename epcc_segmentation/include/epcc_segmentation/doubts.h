@@ -30,6 +30,13 @@ struct EPCC_CORE_EXPORT Doubts {
   /// Pixels that are measured, as a share of the frame's, if they are scattered over it; else 1. Below 0.05 only large
   /// planes can be found.
   double scattered_share = 1.0;
+  /// Of the pixels that are measured, the share that has exactly the largest or exactly the smallest depth of the
+  /// frame, if it is 0.01 at least and they stand apart, nine of ten of their neighbours in a row being a tenth nearer
+  /// or farther: they may be what a sensor or a renderer gives where it measures nothing. Else 0, as for scans and
+  /// where pixels are scattered.
+  double limit_share = 0.0;
+  /// That depth, metres; 0 if `limit_share` is.
+  double limit_depth = 0.0;
   /// Of a depth image of 16-bit values, see bytesAreSwapped().
   bool bytes_are_swapped = false;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 
 #include "geometry/sensor_cloud.h"
 #include "quantile.h"
@@ -20,8 +21,78 @@ constexpr int kDoubtRowStep = 13;
 constexpr int kPairsForDoubt = 100;
 constexpr double kFewPixels = 0.05;
 constexpr std::size_t kDepths = 500;  // sampled in an image, at least
+constexpr double kManyAtLimit = 0.01;
+constexpr double kStandApart = 0.9;  // of the neighbours of pixels at a limit jump
+constexpr int kEdgesForDoubt = 20;
+
+template <typename Visit>
+void forSomeRows(const InverseDepthImage& image, const Visit& visit) {
+  for (int row = kDoubtRowStep / 2; row < image.height; row += kDoubtRowStep)
+    visit(image.w.data() + image.index(row, 0));
+}
+
+/// Of the pairs of valid neighbours in some rows whose depths differ, the share that differs by over a tenth.
+double jumpShare(const InverseDepthImage& image) {
+  int pairs = 0, jumps = 0;
+  forSomeRows(image, [&](const float* w) {
+    for (int i = 0; i + 1 < image.width; ++i) {
+      const float least = std::min(w[i], w[i + 1]), most = std::max(w[i], w[i + 1]);
+      pairs += ((least > 0.0f) & (most > least)) ? 1 : 0;
+      jumps += ((least > 0.0f) & (most > kJump * least)) ? 1 : 0;
+    }
+  });
+  return pairs >= kPairsForDoubt ? static_cast<double>(jumps) / pairs : 0.0;
+}
+
+/// The pixels of some rows that have exactly one depth.
+struct Plateau {
+  float w;
+  int pixels = 0;
+};
+
+/// Whether its pixels are a tenth nearer or farther than their neighbours.
+bool standsApart(const InverseDepthImage& image, const Plateau& plateau) {
+  int edges = 0, jumps = 0;
+  forSomeRows(image, [&](const float* w) {
+    for (int i = 0; i + 1 < image.width; ++i) {
+      if ((w[i] == plateau.w) == (w[i + 1] == plateau.w)) continue;
+      const float least = std::min(w[i], w[i + 1]), most = std::max(w[i], w[i + 1]);
+      edges += least > 0.0f ? 1 : 0;
+      jumps += least > 0.0f && most > kJump * least ? 1 : 0;
+    }
+  });
+  return edges >= kEdgesForDoubt && jumps >= kStandApart * edges;
+}
 
 }  // namespace
+
+void doubtDepths(const InverseDepthImage& image, Doubts& doubts) {
+  doubts.jump_share = doubts.limit_share = doubts.limit_depth = 0.0;
+  if (image.place_of_pixel > 0.0) return;  // blocks of scattered pixels
+  doubts.jump_share = jumpShare(image);
+  if (!image.planar_rows) return;
+  Plateau least{std::numeric_limits<float>::infinity()}, most{0.0f};
+  forSomeRows(image, [&](const float* w) {
+    for (int i = 0; i < image.width; ++i) {
+      least.w = std::min(least.w, w[i] > 0.0f ? w[i] : least.w);
+      most.w = std::max(most.w, w[i]);
+    }
+  });
+  int valid = 0;
+  forSomeRows(image, [&](const float* w) {
+    for (int i = 0; i < image.width; ++i) {
+      valid += w[i] > 0.0f ? 1 : 0;
+      least.pixels += w[i] == least.w ? 1 : 0;
+      most.pixels += w[i] == most.w ? 1 : 0;
+    }
+  });
+  for (const Plateau& plateau : {least, most}) {
+    const double share = valid > 0 ? static_cast<double>(plateau.pixels) / valid : 0.0;
+    if (share < kManyAtLimit || share <= doubts.limit_share || !standsApart(image, plateau)) continue;
+    doubts.limit_share = share;
+    doubts.limit_depth = 1.0 / static_cast<double>(plateau.w);
+  }
+}
 
 double errorShare(const InverseDepthImage& image, const SensorEstimate& measured, std::vector<double>& depths) {
   if (measured.blocks == 0) return 0.0;
@@ -35,22 +106,9 @@ double errorShare(const InverseDepthImage& image, const SensorEstimate& measured
   return measured.model().sigmaZ(depth) / depth;
 }
 
-double jumpShare(const InverseDepthImage& image) {
-  int pairs = 0, jumps = 0;
-  for (int row = kDoubtRowStep / 2; row < image.height; row += kDoubtRowStep) {
-    const float* w = image.w.data() + image.index(row, 0);
-    for (int i = 0; i + 1 < image.width; ++i) {
-      const float least = std::min(w[i], w[i + 1]), most = std::max(w[i], w[i + 1]);
-      pairs += ((least > 0.0f) & (most > least)) ? 1 : 0;
-      jumps += ((least > 0.0f) & (most > kJump * least)) ? 1 : 0;
-    }
-  }
-  return pairs >= kPairsForDoubt ? static_cast<double>(jumps) / pairs : 0.0;
-}
-
 bool Doubts::any() const {
   return bytes_are_swapped || sensor_is_generic || jump_share >= kManyJumps || error_share >= kDoubtfulError ||
-         scattered_share < kFewPixels;
+         scattered_share < kFewPixels || limit_share >= kManyAtLimit;
 }
 
 std::string Doubts::inWords() const {
@@ -85,6 +143,14 @@ std::string Doubts::inWords() const {
                   100.0 * jump_share);
     say(text);
   }
+  if (limit_share >= kManyAtLimit) {
+    std::snprintf(
+        text, sizeof text,
+        "depth: %.2g %% of the pixels are exactly %.4g m away, one end of all depths, and stand apart from the "
+        "others: do they stand for pixels without depth? If so, leave that value out",
+        100.0 * limit_share, limit_depth);
+    say(text);
+  }
   return line;
 }
 
@@ -101,7 +167,7 @@ Doubts Doubts::of(const DepthFrame& any_frame, const SensorEstimate& measured) {
   std::vector<double> depths;
   doubts.sensor_is_generic = measured.blocks == 0;
   doubts.error_share = errorShare(is_scattered ? scattered.blocks() : image, measured, depths);
-  doubts.jump_share = is_scattered ? 0.0 : jumpShare(image);
+  doubtDepths(is_scattered ? scattered.blocks() : image, doubts);
   if (is_scattered) doubts.scattered_share = scattered.validShare();
   return doubts;
 }

@@ -14,7 +14,7 @@ namespace epcc {
 /// memory.
 double errorShare(const InverseDepthImage& image, const SensorEstimate& measured, std::vector<double>& depths);
 
-/// Of the pairs of valid neighbours in some rows whose depths differ, the share that differs by over a tenth.
-double jumpShare(const InverseDepthImage& image);
+/// Sets what is read off the depths alone: jump_share, limit_share and limit_depth.
+void doubtDepths(const InverseDepthImage& image, Doubts& doubts);
 
 }  // namespace epcc

@@ -94,6 +94,30 @@ TEST(Doubts, ByteOrderThatCannotBeToldIsTakenAsRight) {
   EXPECT_FALSE(epcc::bytesAreSwapped({noise.data(), 1, 1}));
 }
 
+// What some renderers and drivers give where there is no depth: the end of their range, or a millimetre.
+TEST(Doubts, ManyPixelsAtTheEndOfTheRangeAreNamed) {
+  for (const float limit : {10.0F, 0.001F}) {
+    auto room = doubtfulRoom();
+    for (int row = 0; row < 480; ++row)
+      for (int column = 0; column < 640; ++column)
+        if (row / 40 % 3 == 0 && column / 40 % 3 == 0) room.depth[static_cast<std::size_t>(row * 640 + column)] = limit;
+    const epcc::Doubts doubts = doubtsAbout(room.frame());
+    EXPECT_NEAR(doubts.limit_share, 0.11, 0.03) << limit;
+    EXPECT_NEAR(doubts.limit_depth / static_cast<double>(limit), 1.0, 1e-6);
+    EXPECT_NE(doubts.inWords().find("leave that value out"), std::string::npos) << doubts.inWords();
+  }
+}
+
+TEST(Doubts, AWallOfOneDepthIsAWall) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera(640, 480));
+  for (float& z : room.depth) z = std::min(z, 2.0F);  // nothing beyond, and nothing stands apart from it
+  EXPECT_EQ(doubtsAbout(room.frame()).limit_share, 0.0);
+  for (float& z : room.depth) z = 0.05F * std::round(z / 0.05F);  // coarse steps
+  EXPECT_EQ(doubtsAbout(room.frame()).limit_share, 0.0);
+  room.depth.assign(room.depth.size(), 2.0F);
+  EXPECT_EQ(doubtsAbout(room.frame()).limit_share, 0.0);
+}
+
 TEST(Doubts, FewPixelsAreSaid) {
   auto room = doubtfulRoom();
   std::mt19937 random(2);
