@@ -10,8 +10,8 @@ namespace epcc {
 
 namespace {
 
-constexpr std::size_t kReservedBytes =
-    64 * 1024;  // small enough to be a part of the heap, of which others are then made
+// So small that it is a part of the heap: what is asked for next is then made of it.
+constexpr std::size_t kReservedBytes = 64 * 1024;
 
 std::atomic<void*> reserve{nullptr};
 
