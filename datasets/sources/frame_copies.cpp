@@ -49,6 +49,13 @@ void mirror(LabelledFrame& frame) {
   gather(frame, [last](int row, int column) { return std::pair(row, last - column); });
 }
 
+void flip(LabelledFrame& frame) {
+  PinholeCamera& camera = frame.camera.camera;
+  const int last = camera.height - 1;
+  camera.cy = last - camera.cy;
+  gather(frame, [last](int row, int column) { return std::pair(last - row, column); });
+}
+
 void transpose(LabelledFrame& frame) {
   PinholeCamera& camera = frame.camera.camera;
   std::swap(camera.width, camera.height);
@@ -75,13 +82,22 @@ void removePixels(LabelledFrame& frame) {
 }  // namespace
 
 std::vector<FrameCopy> frameCopies() {
-  return {FrameCopy::Mirrored, FrameCopy::Transposed, FrameCopy::HalfResolution, FrameCopy::Holes};
+  return {FrameCopy::Mirrored,   FrameCopy::Flipped,        FrameCopy::Turned,
+          FrameCopy::Transposed, FrameCopy::HalfResolution, FrameCopy::Holes};
+}
+
+bool hasSamePixels(FrameCopy copy) {
+  return copy != FrameCopy::HalfResolution && copy != FrameCopy::Holes;
 }
 
 std::string copyName(FrameCopy copy) {
   switch (copy) {
     case FrameCopy::Mirrored:
       return "mirrored";
+    case FrameCopy::Flipped:
+      return "flipped";
+    case FrameCopy::Turned:
+      return "turned";
     case FrameCopy::Transposed:
       return "transposed";
     case FrameCopy::HalfResolution:
@@ -97,7 +113,8 @@ LabelledFrame copiedFrame(const LabelledFrame& frame, FrameCopy copy) {
   LabelledFrame result = frame;
   if (result.camera.extra.is_object())
     for (const char* key : {"planes", "pose"}) result.camera.extra.erase(key);
-  if (copy == FrameCopy::Mirrored) mirror(result);
+  if (copy == FrameCopy::Mirrored || copy == FrameCopy::Turned) mirror(result);
+  if (copy == FrameCopy::Flipped || copy == FrameCopy::Turned) flip(result);
   if (copy == FrameCopy::Transposed) transpose(result);
   if (copy == FrameCopy::HalfResolution) halve(result);
   if (copy == FrameCopy::Holes) removePixels(result);

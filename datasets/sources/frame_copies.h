@@ -12,6 +12,8 @@ namespace epcc {
 
 enum class FrameCopy {
   Mirrored,        ///< left and right change places
+  Flipped,         ///< top and bottom do
+  Turned,          ///< both do
   Transposed,      ///< rows become columns
   HalfResolution,  ///< every second pixel of every second row
   Holes            ///< a quarter of the pixels has no depth, at random, the same ones of all frames of a size
@@ -19,7 +21,9 @@ enum class FrameCopy {
 
 /// All of them.
 std::vector<FrameCopy> frameCopies();
-/// "mirrored", "transposed", "half", "holes".
+/// Whether it has the same pixels at other places.
+bool hasSamePixels(FrameCopy copy);
+/// "mirrored", "flipped", "turned", "transposed", "half", "holes".
 std::string copyName(FrameCopy copy);
 
 /// Depth, labels and camera of a camera's frame copied; std::invalid_argument for a spherical scan. At half the

@@ -120,19 +120,42 @@ Table halvesTable(const AccuracyResult& result) {
   return table;
 }
 
+/// What is correct and what is noise, of one of so many copies on average.
+Cells meanCells(const SummaryRow& row, std::size_t copies) {
+  if (row.frames == 0) return {"-", "-"};
+  const SegcompMeasures& segcomp = row.measures.segcomp;
+  const int digits = copies > 1 ? 1 : 0;
+  const auto mean = [&](long sum) {
+    return numberCell(static_cast<double>(sum) / static_cast<double>(copies), digits);
+  };
+  return {mean(segcomp.correct), mean(segcomp.noise)};
+}
+
+/// A row of one copy, or of several together.
+Cells copyRow(const ExperimentSummary& all, const std::string& dataset, const std::string& name, const Names& sources) {
+  const SummaryRow measured = sumOf(all, sources, kAutoMethod);
+  const PaperMeasures& paper = measured.measures.paper;
+  Cells cells = {dataset, name, count(paper.surfaces / static_cast<long>(sources.size())),
+                 ratio(paper.clusters, paper.surfaces), ratio(paper.detected, paper.surfaces)};
+  append(cells, meanCells(measured, sources.size()));
+  append(cells, meanCells(sumOf(all, sources, "epcc"), sources.size()));
+  return cells;
+}
+
 Table copiesTable(const ExperimentSummary& all) {
   Table table = tableOf({"data", "copy"}, {"N", "IC/N", "D/N", "correct", "noise", "preset correct", "preset noise"});
   for (const std::string& dataset : accuracyDatasets()) {
-    std::vector<std::pair<std::string, std::string>> copies = {{"original", dataset}};
-    for (const FrameCopy copy : frameCopies()) copies.emplace_back(copyName(copy), dataset + "-" + copyName(copy));
-    if (sumOf(all, {copies.back().second}, kAutoMethod).frames == 0) continue;
-    for (const auto& [name, source] : copies) {
-      Cells cells = {dataset, name};
-      append(cells, shortCells(sumOf(all, {source}, kAutoMethod)));
-      const SummaryRow given = sumOf(all, {source}, "epcc");
-      const SegcompMeasures& segcomp = given.measures.segcomp;
-      append(cells, given.frames > 0 ? Cells{count(segcomp.correct), count(segcomp.noise)} : Cells{"-", "-"});
-      table.rows.push_back(cells);
+    const auto source = [&](FrameCopy copy) { return dataset + "-" + copyName(copy); };
+    if (sumOf(all, {source(frameCopies().back())}, kAutoMethod).frames == 0) continue;
+    Names same = {dataset};
+    table.rows.push_back(copyRow(all, dataset, "original", same));
+    for (const bool same_pixels : {true, false}) {
+      for (const FrameCopy copy : frameCopies()) {
+        if (hasSamePixels(copy) != same_pixels) continue;
+        table.rows.push_back(copyRow(all, dataset, copyName(copy), {source(copy)}));
+        if (same_pixels) same.push_back(source(copy));
+      }
+      if (same_pixels) table.rows.push_back(copyRow(all, dataset, "mean of these", same));
     }
   }
   return table;

@@ -31,6 +31,16 @@ TEST(FrameCopies, MirroringNegatesX) {
   EXPECT_EQ(copy.labels.at(20, 68), frame.labels.at(20, 11));
 }
 
+TEST(FrameCopies, FlippingNegatesYAndTurningBoth) {
+  const LabelledFrame frame = original(), flipped = copiedFrame(frame, FrameCopy::Flipped);
+  const Eigen::Vector3d p = pointAt(frame, 20, 11), q = pointAt(flipped, 60 - 1 - 20, 11);
+  EXPECT_LT((q - Eigen::Vector3d(p.x(), -p.y(), p.z())).norm(), 1e-12);
+  EXPECT_EQ(flipped.labels.at(39, 11), frame.labels.at(20, 11));
+  const LabelledFrame turned = copiedFrame(frame, FrameCopy::Turned);
+  EXPECT_EQ(turned.depth.data, copiedFrame(flipped, FrameCopy::Mirrored).depth.data);
+  EXPECT_LT((pointAt(turned, 39, 68) - Eigen::Vector3d(-p.x(), -p.y(), p.z())).norm(), 1e-12);
+}
+
 TEST(FrameCopies, TransposingSwapsXAndY) {
   const LabelledFrame frame = original(), copy = copiedFrame(frame, FrameCopy::Transposed);
   EXPECT_EQ(copy.depth.width, 60);
@@ -42,7 +52,7 @@ TEST(FrameCopies, TransposingSwapsXAndY) {
 
 TEST(FrameCopies, DoneTwiceTheyAreTheOriginal) {
   const LabelledFrame frame = original();
-  for (const FrameCopy copy : {FrameCopy::Mirrored, FrameCopy::Transposed}) {
+  for (const FrameCopy copy : {FrameCopy::Mirrored, FrameCopy::Flipped, FrameCopy::Turned, FrameCopy::Transposed}) {
     const LabelledFrame twice = copiedFrame(copiedFrame(frame, copy), copy);
     EXPECT_EQ(twice.depth.data, frame.depth.data) << copyName(copy);
     EXPECT_EQ(twice.labels.data, frame.labels.data) << copyName(copy);

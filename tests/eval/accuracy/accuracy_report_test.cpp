@@ -108,13 +108,19 @@ TEST(AccuracyTables, FramesThatAMethodFailedOnAreSaid) {
   EXPECT_EQ(tableNamed("totals", result).rows[1][2], "2, 1 failed");
 }
 
-TEST(AccuracyTables, CopiesWithoutPresetSaySo) {
+TEST(AccuracyTables, CopiesHaveTheMeanOfThoseWithTheSamePixels) {
   AccuracyResult result;
-  for (const char* dataset : {"sensors", "sensors-mirrored", "sensors-transposed", "sensors-half", "sensors-holes"})
-    result.all.add(record(dataset, "l515_a", kAutoMethod, 2));
+  long correct = 2;
+  for (const char* dataset : {"sensors", "sensors-mirrored", "sensors-flipped", "sensors-turned", "sensors-transposed",
+                              "sensors-half", "sensors-holes"})
+    result.all.add(record(dataset, "l515_a", kAutoMethod, correct++));
   const Table table = tableNamed("copies", result);
-  ASSERT_EQ(table.rows.size(), 5U);
+  ASSERT_EQ(table.rows.size(), 8U);
   EXPECT_EQ(table.rows[0], (Row{"sensors", "original", "4", "1.50", "0.75", "2", "7", "-", "-"}));
+  EXPECT_EQ(table.rows[4], (Row{"sensors", "transposed", "4", "1.50", "0.75", "6", "7", "-", "-"}));
+  EXPECT_EQ(table.rows[5], (Row{"sensors", "mean of these", "4", "1.50", "0.75", "4.0", "7.0", "-", "-"}));
+  EXPECT_EQ(table.rows[6][1], "half");
+  EXPECT_EQ(table.rows[7], (Row{"sensors", "holes", "4", "1.50", "0.75", "8", "7", "-", "-"}));
 }
 
 TEST(AccuracyTables, RepeatabilityOfTheHalvesStandsSideBySide) {
