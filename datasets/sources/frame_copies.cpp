@@ -37,8 +37,8 @@ std::string halvedLength(const std::string& noise) {
   const auto model = SensorModel::parse(noise);
   if (!model || model->isPolynomial()) return noise;
   char text[128];
-  std::snprintf(text, sizeof text, "%.17g,%.17g,%.17g", model->coefficients()[0], model->coefficients()[1],
-                0.5 * model->correlationLength());
+  std::snprintf(text, sizeof text, "%.17g,%.17g,%.17g,%.17g", model->coefficients()[0], model->coefficients()[1],
+                0.5 * model->correlationLength(), model->correlatedShare());
   return text;
 }
 

@@ -72,6 +72,8 @@ void bindEstimate(py::module_& module) {
                     "Of the error's variance; the rest differs from pixel to pixel.")
       .def_readonly("effective_length", &SensorEstimate::effective_length,
                     "Of blotches alone with as many pixels a sample; 0.4 is grain alone.")
+      .def_readonly("correlated_share", &SensorEstimate::correlated_share,
+                    "Of the model's variance, in which whole surfaces err together, see SensorModel.correlated_share.")
       .def_readonly("blocks", &SensorEstimate::blocks,
                     "Flat image blocks that were measured; 0: nothing was, the values are generic.")
       .def("model", &SensorEstimate::model, "As a SensorModel.");

@@ -39,13 +39,15 @@ SensorModel usable(const SensorModel& model) {
 }
 
 py::tuple values(const SensorModel& model) {
-  return py::make_tuple(model.isPolynomial(), model.coefficients(), model.correlationLength());
+  return py::make_tuple(model.isPolynomial(), model.coefficients(), model.correlationLength(), model.correlatedShare());
 }
 
 SensorModel fromValues(const py::tuple& v) {
   const auto k = v[1].cast<std::array<double, 3>>();
   const double length = v[2].cast<double>();
-  return v[0].cast<bool>() ? SensorModel::polynomial(k[0], k[1], k[2], length) : SensorModel::axial(k[0], k[1], length);
+  const SensorModel model =
+      v[0].cast<bool>() ? SensorModel::polynomial(k[0], k[1], k[2], length) : SensorModel::axial(k[0], k[1], length);
+  return v.size() > 3 ? model.withCorrelatedShare(v[3].cast<double>()) : model;
 }
 
 }  // namespace
@@ -80,7 +82,8 @@ given, it is measured on the frames. InputError for values that cannot be used.)
           "sigma_z^2 = a^2 + (b z^2)^2, a in metres, b in 1/m; correlation length in pixels.")
       .def_static("preset", &preset, "name"_a, "A named sensor, one of preset_names(). InputError for any other name.")
       .def_static("preset_names", &SensorModel::presetNames, "The names of the presets.")
-      .def_static("parse", &parsed, "text"_a, R"(Reads "PRESET", "A,B,L" or "poly:K1,K2,K3" (metres, 1/m, pixels).
+      .def_static("parse", &parsed, "text"_a,
+                  R"(Reads "PRESET", "A,B,L", "A,B,L,C" or "poly:K1,K2,K3" (metres, 1/m, pixels).
 
 The form of the command line's --noise. InputError, with what is wrong in words, for any other text.)")
       .def("sigma_z", py::vectorize(&SensorModel::sigmaZ), "z"_a,
@@ -94,6 +97,9 @@ The form of the command line's --noise. InputError, with what is wrong in words,
           "(k1, k2, k3) of the polynomial form, (a, b, 0) of the axial one.")
       .def_property_readonly("correlation_length", &SensorModel::correlationLength,
                              "Radius l of the error's autocorrelation exp(-r^2 / (2 l^2)), pixels.")
+      .def_property_readonly("correlated_share", &SensorModel::correlatedShare,
+                             "Share of sigma_z squared in which whole surfaces err together, by blotches and by "
+                             "bending: 0 (white error on perfect optics) to 1, the default, also if not known.")
       .def_property_readonly("pixels_per_sample", &SensorModel::pixelsPerSample,
                              "Pixels per independent sample over an area, max(1, 2 pi l^2).")
       .def_property_readonly("pixels_per_line_sample", &SensorModel::pixelsPerLineSample,
@@ -101,6 +107,9 @@ The form of the command line's --noise. InputError, with what is wrong in words,
       .def(
           "with_correlation_length", [](const SensorModel& m, double l) { return usable(m.withCorrelationLength(l)); },
           "length"_a, "The same error with another correlation length, pixels.")
+      .def(
+          "with_correlated_share", [](const SensorModel& m, double c) { return usable(m.withCorrelatedShare(c)); },
+          "share"_a, "The same error with another correlated share, 0 to 1.")
       .def(
           "scaled", [](const SensorModel& m, double factor) { return usable(m.scaled(factor)); }, "factor"_a,
           "The error `factor` times as large, with the same correlation length.")

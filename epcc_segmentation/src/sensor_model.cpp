@@ -2,6 +2,7 @@
 // Presets, checks and the command-line form of the sensor model.
 #include "epcc_segmentation/sensor_model.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string_view>
@@ -39,17 +40,18 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Exactly three finite comma-separated numbers, or nothing.
-std::optional<std::array<double, 3>> threeNumbers(std::string_view text) {
-  std::array<double, 3> values{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t end = i < 2 ? text.find(',') : text.size();
-    if (end == std::string_view::npos) return std::nullopt;
-    values[i] = typedNumber(text.substr(0, end));
-    if (!std::isfinite(values[i])) return std::nullopt;
-    text.remove_prefix(i < 2 ? end + 1 : end);
+/// Finite numbers with commas between them; none if the text is anything else, or there are more than four.
+std::vector<double> numbersIn(std::string_view text) {
+  constexpr std::size_t kMost = 4;
+  std::vector<double> values;
+  while (values.size() < kMost) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    values.push_back(typedNumber(text.substr(0, end)));
+    if (!std::isfinite(values.back())) return {};
+    if (end == text.size()) return values;
+    text.remove_prefix(end + 1);
   }
-  return values;
+  return {};
 }
 
 }  // namespace
@@ -81,12 +83,13 @@ std::optional<SensorModel> SensorModel::parse(const std::string& text, std::stri
   };
   if (auto named = preset(text)) return named;
   const bool is_polynomial = text.rfind("poly:", 0) == 0;
-  const auto values = threeNumbers(is_polynomial ? text.substr(5) : text);
-  if (!values)
+  const std::vector<double> v = numbersIn(is_polynomial ? text.substr(5) : text);
+  const bool has_share = v.size() == 4 && !is_polynomial;
+  if (v.size() != 3 && !has_share)
     return fail("'" + text + "' is neither a preset (" + joined(presetNames()) +
-                ") nor A,B,L nor poly:K1,K2,K3 with three finite numbers");
-  const auto& v = *values;
-  const SensorModel model = is_polynomial ? polynomial(v[0], v[1], v[2]) : axial(v[0], v[1], v[2]);
+                ") nor A,B,L[,C] nor poly:K1,K2,K3 with three finite numbers");
+  const SensorModel model = is_polynomial ? polynomial(v[0], v[1], v[2])
+                                          : axial(v[0], v[1], v[2]).withCorrelatedShare(has_share ? v[3] : 1.0);
   const std::string problem = model.validate();
   if (!problem.empty()) return fail("'" + text + "': " + problem);
   return model;
@@ -97,6 +100,7 @@ std::string SensorModel::validate() const {
     if (!std::isfinite(k)) return "the coefficients of sigma_z must be finite";
   if (!std::isfinite(correlation_length_) || correlation_length_ < 0.0 || correlation_length_ > 1000.0)
     return "the correlation length must be in [0, 1000] pixels";
+  if (!(correlated_share_ >= 0.0 && correlated_share_ <= 1.0)) return "the correlated share must be in [0, 1]";
   if (!polynomial_ && (k_[0] < 0.0 || k_[1] < 0.0)) return "a and b of sigma_z must not be negative";
   for (const double k : k_)
     if (std::abs(k) > kMaxCoefficient) return "the coefficients of sigma_z must be at most 1000: they are in metres";
@@ -108,12 +112,13 @@ std::string SensorModel::validate() const {
 }
 
 std::string SensorModel::description() const {
-  char text[160];
+  char text[160], share[32] = "";
+  if (correlated_share_ < 1.0) std::snprintf(share, sizeof share, " c=%.2g", correlated_share_);
   if (polynomial_)
-    std::snprintf(text, sizeof text, "polynomial k1=%g 1/m k2=%g k3=%g m l=%g px", k_[0], k_[1], k_[2],
-                  correlation_length_);
+    std::snprintf(text, sizeof text, "polynomial k1=%g 1/m k2=%g k3=%g m l=%g px%s", k_[0], k_[1], k_[2],
+                  correlation_length_, share);
   else
-    std::snprintf(text, sizeof text, "axial a=%g m b=%g 1/m l=%g px", k_[0], k_[1], correlation_length_);
+    std::snprintf(text, sizeof text, "axial a=%g m b=%g 1/m l=%g px%s", k_[0], k_[1], correlation_length_, share);
   return text;
 }
 

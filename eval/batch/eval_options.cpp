@@ -156,7 +156,7 @@ void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
                  "Label images DIR/NAME_labels.png of another program, scored as method NAME")
       ->type_name("NAME=DIR ...");
   app.add_option("--noise", options.noise,
-                 "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | FILE.json | auto (else the frame's own, else auto)")
+                 "Sensor: PRESET | A,B,L[,C] | poly:K1,K2,K3 | FILE.json | auto (else the frame's own, else auto)")
       ->type_name("NOISE");
   app.add_option("--out", options.out, "Folder for the report, the results frame by frame, and labels/METHOD/")
       ->type_name("DIR")

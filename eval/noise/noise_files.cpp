@@ -19,8 +19,9 @@ constexpr int kPlotWidth = 760;
 
 /// As SensorModel::parse takes it.
 std::string modelText(const SensorEstimate& estimate) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g", estimate.a, estimate.b, estimate.correlation_length);
+  char text[128], share[32] = "";
+  if (estimate.correlated_share < 1.0) std::snprintf(share, sizeof share, ",%.9g", estimate.correlated_share);
+  std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g%s", estimate.a, estimate.b, estimate.correlation_length, share);
   return text;
 }
 
@@ -81,6 +82,7 @@ std::string noiseJson(const SensorMeasurement& measured, std::size_t frames) {
   json["a"] = estimate.a;
   json["b"] = estimate.b;
   json["l"] = estimate.correlation_length;
+  json["correlated_share"] = estimate.correlated_share;
   json["frames"] = frames;
   json["blocks"] = estimate.blocks;
   json["W"] = measured.grain;

@@ -80,7 +80,7 @@ void addMethodOptions(CLI::App& app, SegmentOptions& options, FrameArguments& ra
   };
   add("--mode", raw.mode, "MODE", "inverse-depth | paper (inverse-depth, also called default)")->check(checkMode);
   add("--noise", options.noise, "NOISE",
-      "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | FILE.json | auto (else the frame's own, else auto)")
+      "Sensor: PRESET | A,B,L[,C] | poly:K1,K2,K3 | FILE.json | auto (else the frame's own, else auto)")
       ->check(checkNoise);
   add("--scan", raw.scan, "WHICH", "Scan lines: columns | rows | both: all that the mode has (both)")->check(checkScan);
   add("--line-k-max", raw.line_k_max, "K", "Gate of a line, in sigma (1.5; paper, Eq. 20: 2)")->check(checkFinite);

@@ -121,7 +121,7 @@ void addMethodOptions(CLI::App& app, TrackOptions& options, RawOptions& raw) {
     return app.add_option(name, value, text)->type_name(type)->group("Method");
   };
   add("--noise", options.noise, "NOISE",
-      "Sensor: PRESET | A,B,L | poly:K1,K2,K3 | FILE.json | auto (else the first frame's own, else auto)")
+      "Sensor: PRESET | A,B,L[,C] | poly:K1,K2,K3 | FILE.json | auto (else the first frame's own, else auto)")
       ->check(noiseProblem);
   add("--pose-sigma", raw.pose_sigma, "M,DEG", "Standard deviation of given poses, metres and degrees (0.01,0.29)");
   add("--motion-sigma", raw.motion_sigma, "M,DEG",

@@ -48,9 +48,21 @@ TEST(SensorModel, ParsesNumbers) {
               SensorModel::preset("d435i")->sigmaZ(2.0), 1e-15);
 }
 
+TEST(SensorModel, TheCorrelatedShareIsAFourthNumberAndStaysWithTheModel) {
+  EXPECT_EQ(SensorModel::parse("0.01,0,1")->correlatedShare(), 1.0);
+  const SensorModel model = SensorModel::parse("0.01,0,1,0.25").value();
+  EXPECT_EQ(model.correlatedShare(), 0.25);
+  EXPECT_EQ(model.description(), "axial a=0.01 m b=0 1/m l=1 px c=0.25");
+  EXPECT_EQ(model.scaled(2.0).withCorrelationLength(3.0).correlatedShare(), 0.25);
+  for (const double share : {-0.1, 1.1, std::nan("")})
+    EXPECT_EQ(model.withCorrelatedShare(share).validate(), "the correlated share must be in [0, 1]") << share;
+  for (const double share : {0.0, 1.0}) EXPECT_EQ(model.withCorrelatedShare(share).validate(), "") << share;
+}
+
 TEST(SensorModel, ParseSaysWhatIsWrong) {
   for (const char* bad : {"", "nonsense", "1,2", "1,2,3,4", "1,2,x", "nan,0,1", "0.001,inf,1", "-0.001,0,1", "0,0,1",
-                          "0.001,0,-1", "poly:", "poly:-1,0,0", "poly:0,0,0", "0.001,0,5000", "0.001,0,1 "}) {
+                          "0.001,0,-1", "poly:", "poly:-1,0,0", "poly:0,0,0", "0.001,0,5000", "0.001,0,1 ",
+                          "0.001,0,1,-0.1", "0.001,0,1,nan", "0.001,0,1,1,1", "poly:0.001,0,0.1,1"}) {
     std::string why;
     EXPECT_FALSE(SensorModel::parse(bad, &why).has_value()) << bad;
     EXPECT_FALSE(why.empty()) << bad;

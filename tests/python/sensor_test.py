@@ -25,6 +25,9 @@ def test_models_in_numbers():
     assert axial.scaled(2).sigma_z(3.0) == pytest.approx(2 * axial.sigma_z(3.0))
     assert axial.with_correlation_length(7).correlation_length == 7.0
     assert pickle.loads(pickle.dumps(axial)) == axial != polynomial
+    white = axial.with_correlated_share(0.25)
+    assert white.correlated_share == 0.25 and axial.correlated_share == 1.0 and white != axial
+    assert pickle.loads(pickle.dumps(white)) == white == epcc.SensorModel.parse("0.001,0.003,2,0.25")
 
 
 def test_presets_and_texts():
@@ -41,6 +44,7 @@ def test_presets_and_texts():
     (lambda: epcc.SensorModel.parse("kinect-v9"), "'kinect-v9' is neither a preset (d435i, kinect-v1,"),
     (lambda: epcc.SensorModel.parse("-1,0,1"), "'-1,0,1': a and b of sigma_z must not be negative"),
     (lambda: epcc.SensorModel.axial(0, 0), "a and b of sigma_z must not both be zero"),
+    (lambda: epcc.SensorModel.axial(1, 1).with_correlated_share(2), "the correlated share must be in [0, 1]"),
     (lambda: epcc.SensorModel.axial(1, 1, -1), "the correlation length must be in [0, 1000] pixels"),
     (lambda: epcc.SensorModel.polynomial(math.nan, 0, 1), "the coefficients of sigma_z must be finite"),
     (lambda: epcc.SensorModel.axial(0.001, 0.001).scaled(1e9), "the coefficients of sigma_z must be at most 1000"),

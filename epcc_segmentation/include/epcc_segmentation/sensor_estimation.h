@@ -22,10 +22,13 @@ struct SensorEstimate {
   double blotch_length = 0.0;       ///< radius of the blotches that were seen, pixels
   double blotch_share = 0.0;        ///< of the error's variance; the rest is grain, which differs from pixel to pixel
   double effective_length = 0.0;    ///< of blotches alone with as many pixels a sample; 0.4 is grain alone
+  double correlated_share = 1.0;    ///< of the model's variance, in which whole surfaces err together
   std::size_t blocks = 0;           ///< flat image blocks that were measured; 0: nothing was, the values are generic
 
   /// For PlaneExtractor::setSensor() and the like.
-  SensorModel model() const { return SensorModel::axial(a, b, correlation_length); }
+  SensorModel model() const {
+    return SensorModel::axial(a, b, correlation_length).withCorrelatedShare(correlated_share);
+  }
 };
 
 /// Fits quadrics to small blocks of the frame and to their parts, and reads the error off their residuals: its size by

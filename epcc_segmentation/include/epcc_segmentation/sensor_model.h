@@ -32,7 +32,7 @@ class EPCC_CORE_EXPORT SensorModel {
   static std::optional<SensorModel> preset(const std::string& name);
   /// d435i, kinect-v1, realsense, realsense-registered, rendered, structure-sensor, structured-light.
   static std::vector<std::string> presetNames();
-  /// Reads the command-line form `PRESET | A,B,L | poly:K1,K2,K3` (metres, 1/m, pixels).
+  /// Reads the command-line form `PRESET | A,B,L[,C] | poly:K1,K2,K3` (metres, 1/m, pixels, correlated share).
   /// On failure returns nothing and, if `why` is given, says what is wrong.
   static std::optional<SensorModel> parse(const std::string& text, std::string* why = nullptr);
 
@@ -61,6 +61,17 @@ class EPCC_CORE_EXPORT SensorModel {
     model.correlation_length_ = length;
     return model;
   }
+  /// Share of sigma_z^2 in which whole surfaces err together, by blotches and by bending: 0 (white error on perfect
+  /// optics) to 1, the default, also where nothing is known. Two regions may lie off each other by that part and be one
+  /// surface (S4; half of the tolerance stays). Lower it for simulated sensors with white noise, so that faces a
+  /// fraction of sigma apart stay two; SensorEstimate::model() says what was measured.
+  double correlatedShare() const { return correlated_share_; }
+  /// The same error with another correlated share, 0 to 1.
+  SensorModel withCorrelatedShare(double share) const {
+    SensorModel model = *this;
+    model.correlated_share_ = share;
+    return model;
+  }
   /// The error `factor` times as large, with the same correlation length.
   SensorModel scaled(double factor) const {
     SensorModel model = *this;
@@ -86,6 +97,7 @@ class EPCC_CORE_EXPORT SensorModel {
   bool polynomial_;
   double k_[3];
   double correlation_length_;
+  double correlated_share_ = 1.0;
 };
 
 }  // namespace epcc

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kMaxSlopeFactor = 26.0;  // slopeFactor() is clipped
 constexpr double kGrowth = 1.1;           // of a region's pixels, until all its contacts are judged again
+constexpr double kLeastTolerance = 0.5;   // of the one for correlated error: no calibration is perfect
 constexpr double kBendingReach = 20.0;  // grid pixels, 320 to the longer side: how far the bending of depth is the same
 
 /// What the slow bending of a sensor adds to the squared offset of two regions, in squared region tolerances. It is the
@@ -32,7 +33,7 @@ double bendingOf(double depth_of_region, double pixels_per_sample) {
 void RegionMerger::merge(RegionContacts& contacts, const InverseDepthParameters& parameters, const SensorModel& sensor,
                          RegionMap& map, int threads) {
   parameters_ = parameters.expert.merging;
-  region_tolerance_ = parameters.region_tolerance;
+  region_tolerance_ = parameters.region_tolerance * std::max(kLeastTolerance, std::sqrt(sensor.correlatedShare()));
   pixels_per_sample_ = sensor.pixelsPerSample();
   known_ = map.known;
   alike_known_.clear();

@@ -140,8 +140,8 @@ void ShiftParts(const PartShifts& shifts, int count, PartSums& sums) {
   }
 }
 
-/// e'e - b' A^-1 b of each part, A = L D L'.
-void SolveParts(const PartSums& sums, int count, float* squares) {
+/// e'e - b' A^-1 b of each part, A = L D L'; the terms of a plane come first.
+void SolveParts(const PartSums& sums, int count, PartSquares& squares) {
   constexpr float kNoPivot = 1e-5f;  // of the diagonal: the term says nothing that others do not
   constexpr int kPowers[kTerms][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
   const Floats d;
@@ -157,6 +157,7 @@ void SolveParts(const PartSums& sums, int count, float* squares) {
     Vector least[kTerms];
     for (int i = 0; i < kTerms; ++i) least[i] = hn::Mul(a[i][i], hn::Set(d, kNoPivot));
     for (int k = 0; k < kTerms; ++k) {
+      if (k == kPlaneTerms) hn::Store(larger(left, hn::Zero(d)), d, squares.of_plane + lane);
       const Vector pivot = a[k][k];
       const Vector inverse = hn::IfThenElseZero(hn::Gt(pivot, least[k]), hn::Div(hn::Set(d, 1.0f), pivot));
       for (int i = k + 1; i < kTerms; ++i) {
@@ -166,7 +167,7 @@ void SolveParts(const PartSums& sums, int count, float* squares) {
       }
       left = hn::Sub(left, hn::Mul(hn::Mul(b[k], b[k]), inverse));
     }
-    hn::Store(larger(left, hn::Zero(d)), d, squares + lane);
+    hn::Store(larger(left, hn::Zero(d)), d, squares.of_quadric + lane);
   }
 }
 
@@ -194,7 +195,7 @@ void shiftParts(const PartShifts& shifts, int count, PartSums& sums) {
   EPCC_KERNEL(ShiftParts)(shifts, count, sums);
 }
 
-void solveParts(const PartSums& sums, int count, float* squares) {
+void solveParts(const PartSums& sums, int count, PartSquares& squares) {
   EPCC_KERNEL(SolveParts)(sums, count, squares);
 }
 

@@ -11,6 +11,7 @@ constexpr int kPartsAcross = 4;
 constexpr int kParts = kPartsAcross * kPartsAcross;
 constexpr int kMaxPart = kMaxBlock / kPartsAcross;  // side, pixels
 constexpr int kDegree = 2;                          // of the quadric
+constexpr int kPlaneTerms = 3;
 constexpr int kTerms = 6;
 
 /// Place of the sum of x^i y^j among such sums.
@@ -48,7 +49,13 @@ void splitIntoParts(const BlockSamples& samples, PartPixels& parts);
 void sumParts(const PartPixels& parts, float gate, PartSums& sums);
 /// The sums of the first `count` parts in the coordinates of the parts that four of them make.
 void shiftParts(const PartShifts& shifts, int count, PartSums& sums);
-/// Sum of the squares that a quadric leaves in each of the first `count` parts; squares has room for kParts.
-void solveParts(const PartSums& sums, int count, float* squares);
+/// Sums of the squares that a plane and a quadric leave in each part.
+struct PartSquares {
+  alignas(64) float of_plane[kParts];
+  alignas(64) float of_quadric[kParts];
+};
+
+/// Of the first `count` parts.
+void solveParts(const PartSums& sums, int count, PartSquares& squares);
 
 }  // namespace epcc

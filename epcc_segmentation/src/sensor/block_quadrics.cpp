@@ -57,16 +57,23 @@ void joinFours(PartSums& sums, int across) {
       }
 }
 
-double pooledSquares(const PartSums& sums, int count, float least_pixels) {
-  alignas(64) float squares[kParts];
+/// The squares of all parts are found, too.
+double pooledSquares(const PartSums& sums, int count, float least_pixels, PartSquares& squares) {
   solveParts(sums, count, squares);
   double total = 0.0, pixels = 0.0;
   for (int part = 0; part < count; ++part) {
     if (sums.of[0][part] < least_pixels) continue;
-    total += static_cast<double>(squares[part]);
+    total += static_cast<double>(squares.of_quadric[part]);
     pixels += static_cast<double>(sums.of[0][part]);
   }
   return pixels > 0.0 ? total / pixels : 0.0;
+}
+
+/// Of the first part.
+double bentOf(const PartSquares& squares, double pixels) {
+  const auto plane = static_cast<double>(squares.of_plane[0]), quadric = static_cast<double>(squares.of_quadric[0]);
+  const double free = pixels - kTerms;
+  return quadric > 0.0 && free > 0.0 ? (plane - quadric) / (kTerms - kPlaneTerms) / (quadric / free) : 1.0;
 }
 
 /// Of the squares of white error on so many pixels, what a quadric leaves.
@@ -85,13 +92,14 @@ QuadricResiduals fitQuadrics(const BlockSamples& samples, const BlockRays& rays,
   findRays(rays, plane, x, y, parts);
   splitIntoParts(samples, parts);
   PartSums sums;
+  PartSquares part_squares;
   sumParts(parts, gate, sums);
 
   QuadricResiduals result;
   const auto measure = [&](std::size_t scale, int across) {
     const auto side = static_cast<float>(samples.side / across);
     const float full = static_cast<float>(full_share) * side * side;
-    const double squares = pooledSquares(sums, across * across, std::max(kMinPixels, kMinShare * full));
+    const double squares = pooledSquares(sums, across * across, std::max(kMinPixels, kMinShare * full), part_squares);
     // Of fewer pixels a quadric takes a larger share: as if none was missing.
     result.squares[scale] = squares * shareLeft(side * side) / shareLeft(full);
   };
@@ -112,6 +120,7 @@ QuadricResiduals fitQuadrics(const BlockSamples& samples, const BlockRays& rays,
   joinFours(sums, 2);
   measure(2, 1);
   result.inliers = static_cast<double>(sums.of[0][0]);
+  result.bent = bentOf(part_squares, result.inliers);
   return result;
 }
 

@@ -17,6 +17,9 @@ struct QuadricResiduals {
   /// Mean squares after a quadric (1, x, y, x^2, xy, y^2) over the inliers of each part, pooled over the parts of which
   /// at least 60 % of what may be valid, and 12 pixels, are inliers; 0 where there is no such part.
   std::array<double, kScales> squares{};
+  /// Variance along each of the block's three terms of second order, over that of its pixels after the quadric: 1 of
+  /// white error on a plane, more of all that bends.
+  double bent = 1.0;
 };
 
 /// The side must be four times a multiple of four. The sums over a part come from those over its quarters.

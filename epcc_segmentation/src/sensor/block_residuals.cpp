@@ -21,6 +21,7 @@ std::optional<BlockResiduals> measureBlock(const InverseDepthImage& image, const
   result.w = block.w;
   result.w_right = static_cast<double>(block.plane.x);
   result.w_down = static_cast<double>(block.plane.y);
+  result.bent = quadrics.bent;
   const double whole = quadrics.squares[kScales - 1];
   result.deviation = std::sqrt(whole / result.slant) * block.to_depth;
   if (!std::isfinite(result.deviation) || !std::isfinite(result.depth)) return std::nullopt;  // absurd values

@@ -22,6 +22,7 @@ struct BlockResiduals {
   /// Mean squares that separate quadrics in the block's parts, of a quarter and of half its side, leave of those that
   /// one quadric leaves.
   std::array<double, kScales - 1> kept{};
+  double bent = 1.0;  ///< see QuadricResiduals
 
   /// The residual along the ray (axial = 1) or across the surface (0), or between.
   double deviationAlong(double axial) const { return deviation * std::pow(slant, 0.5 * axial); }

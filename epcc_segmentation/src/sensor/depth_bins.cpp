@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kMinBlocksPerBin = 4;
 constexpr double kDepthBinsPerOctave = 3.0;
 constexpr double kLowQuantile = 0.2;
+constexpr double kStraightest = 0.1;
 constexpr double kClutteredBin = 1.5;    // in medians of deviation / sigma over the bins
 constexpr double kClutteredBlock = 2.0;  // in deviations of its bin
 constexpr double kClutterGuard = 1.1;
@@ -108,6 +109,13 @@ std::array<double, kScales - 1> DepthBins::kept(const SigmaShape& sigma, double 
     result[scale] = quantile(values_, 0.5);
   }
   return result;
+}
+
+double DepthBins::bent() {
+  values_.clear();
+  for (const DepthBin& bin : bins_)
+    for (std::size_t i = bin.begin; i < bin.end; ++i) values_.push_back(block(i).bent);
+  return quantile(values_, kStraightest);
 }
 
 void DepthBins::guardAgainstClutter(const std::vector<BlockResiduals>& halves, double axial, double kept) {

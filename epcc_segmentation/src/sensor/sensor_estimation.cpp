@@ -23,6 +23,11 @@ constexpr int kRounds = 3;
 // An effective length of 0.4 is that of grain alone.
 // Sigma of the model over that of the error, if it is blotches: their residuals scatter from block to block.
 constexpr double kSigmaOverBlotches = 2.4;
+// Bending is seen in the terms of second order of a block's quadric: white error on a plane has a chi square of three
+// degrees of freedom in them.
+constexpr double kBentTerms = 3.0;
+constexpr double kBentByChance = 0.195;  // its 10 % quantile, over the three
+constexpr double kBentShare = 0.03;      // of a bending three quarters of a block long, in these terms
 constexpr double kPlaceOfBlotch = 1.2;
 constexpr double kMaxBinWeight = 20.0;
 
@@ -43,6 +48,14 @@ double lengthOfModel(double effective_length, const InverseDepthImage& image) {
   const double least = kLeastLength * std::sqrt(width * height / (640.0 * 480.0));
   const double length = std::max(least, lengthOfError(effective_length));
   return std::min(length, largestLength(width, height));
+}
+
+/// Of the model's variance, in which whole surfaces err together: all of it unless grain outweighs blotches and
+/// bending.
+double correlatedShare(double blotches, double bent, int side) {
+  const double of_terms = std::max(0.0, bent / kBentByChance - 1.0) * kBentTerms / (side * side);
+  const double common = blotches * kSigmaOverBlotches * kSigmaOverBlotches + of_terms / kBentShare;
+  return std::min(1.0, common / std::max(1.0 - blotches, 1e-9));
 }
 
 /// Where nothing was measured.
@@ -129,6 +142,7 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     sigma = {fit.a, fit.b, true};
   }
   if (!result.model().validate().empty()) return genericEstimate(image);  // of numbers that no sensor measured
+  result.correlated_share = correlatedShare(blotches_.share, bins_.bent(), blocks_.blockSize());
   const double pixels = image.steps.side();
   for (double* length : {&result.correlation_length, &result.blotch_length, &result.effective_length})
     *length *= pixels;

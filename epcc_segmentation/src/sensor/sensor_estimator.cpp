@@ -122,6 +122,7 @@ void SensorEstimator::Stream::summarize() {
   summary.blotch_length = median(&SensorEstimate::blotch_length);
   summary.blotch_share = median(&SensorEstimate::blotch_share);
   summary.effective_length = median(&SensorEstimate::effective_length);
+  summary.correlated_share = median(&SensorEstimate::correlated_share);
   summary.a = median(&SensorEstimate::a);
   summary.b = median(&SensorEstimate::b);
 }

@@ -213,7 +213,8 @@ TEST(MergeRules, ARegionThatIsNotKnownJoinsOneThatIs) {
 }
 
 /// The labels 1, 2 and 3 of a view after S4, in their order.
-std::vector<std::int32_t> mergedLabels(const RenderedRoom& room, const epcc::InverseDepthParameters& parameters) {
+std::vector<std::int32_t> mergedLabels(const RenderedRoom& room, const epcc::InverseDepthParameters& parameters,
+                                       double correlated_share = 1.0) {
   const auto image = imageOf(room);
   const auto labels = static_cast<std::int32_t>(*std::max_element(room.labels.begin(), room.labels.end()));
   RegionMap map = regionsOf(image, room.labels, labels);
@@ -221,7 +222,7 @@ std::vector<std::int32_t> mergedLabels(const RenderedRoom& room, const epcc::Inv
   epcc::RegionContacts contacts;
   epcc::findContacts(image, 25, 3.0, map, memory, contacts);
   epcc::RegionMerger merger;
-  merger.merge(contacts, parameters, kWhite, map);
+  merger.merge(contacts, parameters, kWhite.withCorrelatedShare(correlated_share), map);
   std::vector<std::int32_t> result;
   for (std::int32_t label = 1; label <= labels; ++label) {
     const auto first = std::find(room.labels.begin(), room.labels.end(), label) - room.labels.begin();
@@ -242,6 +243,26 @@ TEST(MergeRules, WhatARegionThatHasGrownMeetsIsJudgedAgain) {
     });
   };
   EXPECT_EQ(mergedLabels(walls(80), {}), (std::vector<std::int32_t>{1, 1, 1}));
+}
+
+// Walls side by side, of which a plane leaves a quarter of their distance, rms, and the tolerance is for the smaller:
+// 1.5 standard deviations of 6 mm allow a distance of 25 mm.
+TEST(MergeRules, WhiteErrorMovesNoSurface) {
+  const auto merge = [](float behind, double share) {
+    const auto room = changedWall(160, 120, [&](int, int column, float& depth) {
+      depth += column < 80 ? 0.0f : behind;
+      return column < 80 ? 1 : 2;
+    });
+    epcc::InverseDepthParameters parameters;
+    parameters.expert.merging.fragment_tolerance = 0.0;
+    return mergedLabels(room, parameters, share).back() == 1;
+  };
+  for (const float sign : {-1.0f, 1.0f}) {
+    EXPECT_TRUE(merge(sign * 0.018f, 1.0));
+    EXPECT_FALSE(merge(sign * 0.018f, 0.3));
+    EXPECT_FALSE(merge(sign * 0.018f, 0.0));
+    EXPECT_TRUE(merge(sign * 0.010f, 0.0)) << "half of the tolerance stays";
+  }
 }
 
 // Two halves interleaved like combs, one so many metres behind the other: 6 mm are one standard deviation there.

@@ -71,11 +71,14 @@ QuadricResiduals ofPixels(const BlockSamples& samples, const BlockRays& rays) {
       }
       const auto n = static_cast<double>(rows.size());
       result.inliers += n;
-      if (n < 0.6 * side * side || n < 12.0) continue;
       Eigen::MatrixXd a(rows.size(), 6);
       for (std::size_t i = 0; i < rows.size(); ++i) a.row(static_cast<long>(i)) = rows[i];
       const Eigen::Map<const Eigen::VectorXd> b(errors.data(), static_cast<long>(errors.size()));
-      squares += (b - a * a.householderQr().solve(b)).squaredNorm();
+      const double left = (b - a * a.householderQr().solve(b)).squaredNorm();
+      const Eigen::MatrixXd plane = a.leftCols(3);
+      result.bent = ((b - plane * plane.householderQr().solve(b)).squaredNorm() - left) / 3.0 / (left / (n - 6.0));
+      if (n < 0.6 * side * side || n < 12.0) continue;
+      squares += left;
       pixels += n;
     }
     if (pixels > 0.0) result.squares[static_cast<std::size_t>(scale)] = squares / pixels;
@@ -103,9 +106,32 @@ TEST(BlockQuadrics, AreThoseOfThePixelsWithTheSameBitsOnEveryUnit) {
           }
           if (unit == vectorUnits().front()) first = found;
           EXPECT_EQ(found.squares, first.squares) << what << ", " << unit;
+          EXPECT_NEAR(found.bent, expected.bent, 1e-3 * (1.0 + expected.bent)) << what << ", " << unit;
+          EXPECT_EQ(found.bent, first.bent) << what << ", " << unit;
         }
       }
   setVectorUnit(before);
+}
+
+TEST(BlockQuadrics, OfWhiteErrorOnPlanesATenthBendLessThanChanceSays) {
+  const BlockRays rays = raysOf(32, false);
+  std::mt19937 generator(5);
+  std::normal_distribution<float> normal(0.0f, 0.001f);
+  std::vector<float> w(32 * 32);
+  BlockSamples samples;
+  constexpr int kTries = 600;
+  int low = 0;
+  double sum = 0.0;
+  for (int i = 0; i < kTries; ++i) {
+    for (float& value : w) value = 0.5f + normal(generator);
+    gatherBlock(w.data(), 32, 32, samples);
+    subtractCentre(0.5f, rays, samples);
+    const double bent = fitQuadrics(samples, rays, {}, 0.004f).bent;
+    low += bent < 0.195 ? 1 : 0;  // chi square of three degrees of freedom
+    sum += bent;
+  }
+  EXPECT_NEAR(low, 0.1 * kTries, 3.0 * std::sqrt(0.09 * kTries));
+  EXPECT_NEAR(sum / kTries, 1.0, 0.1);
 }
 
 TEST(BlockQuadrics, APartThatIsMostlyHolesIsNotCounted) {

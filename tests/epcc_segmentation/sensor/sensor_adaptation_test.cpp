@@ -49,6 +49,19 @@ TEST(SensorAdaptation, TheRightModelIsLeftAsItIs) {
   EXPECT_EQ(usedOverTrue(extractor, room.frame()), 1.0);
 }
 
+TEST(SensorAdaptation, TheCorrelatedShareIsThatOfTheFrame) {
+  const auto shareUsed = [](const epcc::test::RenderedRoom& room) {
+    PlaneExtractor extractor({}, kTruth);
+    PlaneSegmentation result;
+    EXPECT_TRUE(extractor.extract(room.frame(), result));
+    return extractor.sensor().correlatedShare();
+  };
+  EXPECT_LT(shareUsed(measuredRoom()), 0.1);
+  auto blotchy = epcc::test::room();
+  epcc::test::addBlotches(blotchy, kTruth, 2.0, 5);
+  EXPECT_EQ(shareUsed(blotchy), 1.0);
+}
+
 TEST(SensorAdaptation, PolynomialsKeepTheirShape) {
   const auto room = measuredRoom();
   const SensorModel given = SensorModel::polynomial(0.001, 0.0, 0.030, 1.0);

@@ -41,6 +41,8 @@ TEST(SensorEstimation, WhiteErrorIsWhiteAndItsSizeIsFound) {
     EXPECT_NEAR(estimate.effective_length, 0.4, 0.02);
     EXPECT_EQ(estimate.blotch_share, 0.0);
     EXPECT_EQ(estimate.correlation_length, 1.5);
+    EXPECT_LT(estimate.correlated_share, 0.1);
+    EXPECT_EQ(estimate.model().correlatedShare(), estimate.correlated_share);
     EXPECT_GT(estimate.blocks, 30u);
     for (const double z : {2.2, 2.8}) EXPECT_NEAR(ratioAt(z, estimate, truth), 1.0, 0.25) << z;
   }
@@ -53,6 +55,7 @@ TEST(SensorEstimation, TheLengthOfBlotchesIsFound) {
     const auto estimate = epcc::estimateSensor(frame.frame());
     EXPECT_NEAR(estimate.effective_length / length, 1.0, length > 4.0 ? 0.1 : 0.05) << length;
     EXPECT_GT(estimate.blotch_share, 0.9) << length;
+    EXPECT_EQ(estimate.correlated_share, 1.0) << length;
     EXPECT_NEAR(estimate.correlation_length, std::min(1.5 * estimate.effective_length + 0.4, 554.3 / 69.0), 0.01)
         << length;
   }
@@ -81,6 +84,8 @@ TEST(SensorEstimation, BendingIsNeitherGrainNorBlotches) {
             0.02f * std::sin(0.021f * static_cast<float>(column)) * std::cos(0.021f * static_cast<float>(row));
     const auto of_straight = epcc::estimateSensor(straight.frame()), of_bent = epcc::estimateSensor(bent.frame());
     EXPECT_NEAR(of_bent.effective_length, of_straight.effective_length, 0.1 * of_straight.effective_length) << length;
+    EXPECT_GT(of_bent.correlated_share, 0.5) << length;
+    EXPECT_LT(length > 0.0 ? 0.0 : of_straight.correlated_share, 0.1);
     EXPECT_NEAR(of_bent.model().sigmaZ(1.8) / of_straight.model().sigmaZ(1.8), 1.0, 0.15) << length;
   }
 }

@@ -46,6 +46,8 @@ TEST_F(NoiseCommand, FindsWhiteErrorAndWritesIt) {
   EXPECT_NEAR(json["effective_length"], 0.4, 0.05);
   EXPECT_NEAR(json["L"], 1.0, 0.3);
   EXPECT_LT(json["share"], 0.05);
+  EXPECT_LT(json["correlated_share"], 1.0);
+  EXPECT_NEAR(found.correlatedShare(), json["correlated_share"], 1e-8);
   EXPECT_GT(json["blocks"], 100);
   EXPECT_GT(json["bins"].size(), 2U);
   for (const char* curve : {"measured", "fit"}) {
