@@ -58,6 +58,7 @@ RC_GTEST_PROP(SoundSensor, IsMeasuredOnEveryFrame, ()) {
   RC_ASSERT(estimate.model().validate() == "");
   for (const double z : {1e-3, 0.5, 3.0, 60.0}) RC_ASSERT(estimate.model().varianceZ(z) > 0.0);
   RC_ASSERT(estimate.blotch_share >= 0.0 && estimate.blotch_share <= 1.0);
+  RC_ASSERT(estimate.correlated_share >= 0.0 && estimate.correlated_share <= 1.0);
 }
 
 RC_GTEST_PROP(SoundSensor, HasAVarianceAboveZeroAtEveryDepth, ()) {
