@@ -37,8 +37,9 @@ SensorModel adapted(const SensorModel& given, const SensorEstimate& measured, co
     ratios.push_back(model.varianceZ(z) / given.varianceZ(z));
   }
   if (ratios.empty()) return given;
-  const SensorModel result =
-      given.scaled(pull(std::sqrt(quantile(ratios, 0.5)), 1.0)).withCorrelatedShare(measured.correlated_share);
+  // Curved surfaces look like bending: what is measured is an upper bound.
+  const double share = std::min(given.correlatedShare(), measured.correlated_share);
+  const SensorModel result = given.scaled(pull(std::sqrt(quantile(ratios, 0.5)), 1.0)).withCorrelatedShare(share);
   if (!image.planar_rows) return result;  // a scanner's length is not measured
   // From the length of the error to that of a model of it, which is longer for safety, a given one is right.
   const double length = std::max(kLengthOfGrain, given.correlationLength());

@@ -49,17 +49,18 @@ TEST(SensorAdaptation, TheRightModelIsLeftAsItIs) {
   EXPECT_EQ(usedOverTrue(extractor, room.frame()), 1.0);
 }
 
-TEST(SensorAdaptation, TheCorrelatedShareIsThatOfTheFrame) {
-  const auto shareUsed = [](const epcc::test::RenderedRoom& room) {
-    PlaneExtractor extractor({}, kTruth);
+TEST(SensorAdaptation, TheCorrelatedShareIsThatOfTheFrameIfThatIsLess) {
+  const auto shareUsed = [](const epcc::test::RenderedRoom& room, double given) {
+    PlaneExtractor extractor({}, kTruth.withCorrelatedShare(given));
     PlaneSegmentation result;
     EXPECT_TRUE(extractor.extract(room.frame(), result));
     return extractor.sensor().correlatedShare();
   };
-  EXPECT_LT(shareUsed(measuredRoom()), 0.1);
+  EXPECT_LT(shareUsed(measuredRoom(), 1.0), 0.1);
   auto blotchy = epcc::test::room();
   epcc::test::addBlotches(blotchy, kTruth, 2.0, 5);
-  EXPECT_EQ(shareUsed(blotchy), 1.0);
+  EXPECT_EQ(shareUsed(blotchy, 1.0), 1.0);
+  EXPECT_EQ(shareUsed(blotchy, 0.2), 0.2);
 }
 
 TEST(SensorAdaptation, PolynomialsKeepTheirShape) {
