@@ -15,7 +15,9 @@ namespace {
 constexpr std::size_t kMinBlocksPerBin = 4;
 constexpr double kDepthBinsPerOctave = 3.0;
 constexpr double kLowQuantile = 0.2;
+// Of the blocks' terms of second order: the lowest tenth of a chi square of three degrees of freedom, over the three.
 constexpr double kStraightest = 0.1;
+constexpr double kBentByChance = 0.195;
 constexpr double kClutteredBin = 1.5;    // in medians of deviation / sigma over the bins
 constexpr double kClutteredBlock = 2.0;  // in deviations of its bin
 constexpr double kClutterGuard = 1.1;
@@ -111,11 +113,12 @@ std::array<double, kScales - 1> DepthBins::kept(const SigmaShape& sigma, double 
   return result;
 }
 
-double DepthBins::bent() {
+double DepthBins::bentOverChance() {
+  assert(!bins_.empty());
   values_.clear();
   for (const DepthBin& bin : bins_)
     for (std::size_t i = bin.begin; i < bin.end; ++i) values_.push_back(block(i).bent);
-  return quantile(values_, kStraightest);
+  return quantile(values_, kStraightest) / kBentByChance;
 }
 
 void DepthBins::guardAgainstClutter(const std::vector<BlockResiduals>& halves, double axial, double kept) {

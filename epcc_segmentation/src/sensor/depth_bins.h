@@ -47,8 +47,9 @@ class DepthBins {
   /// Median of BlockResiduals::kept of the blocks with at most twice their bin's deviation. Bins full of clutter are
   /// left out. Not without bins.
   std::array<double, kScales - 1> kept(const SigmaShape& sigma, double axial);
-  /// The 10 % quantile of BlockResiduals::bent: curved surfaces and clutter can only make it larger. Not without bins.
-  double bent();
+  /// Low quantile of BlockResiduals::bent, over that of white error on planes: curved surfaces and clutter can only
+  /// make it larger. Not without bins.
+  double bentOverChance();
   /// Blocks of half the size fit between the clutter: the deviation of each bin whose blocks do not agree is lowered to
   /// at most 1.1 times what such blocks show at its depth. kept: share of the mean square in one of the bins' blocks
   /// that is left in theirs.

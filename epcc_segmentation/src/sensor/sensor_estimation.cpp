@@ -8,6 +8,7 @@
 
 #include "geometry/sensor_cloud.h"
 #include "inverse_depth/scattered_pixels.h"
+#include "sensor/block_parts.h"
 #include "sensor/image_estimation.h"
 #include "sensor/model_length.h"
 
@@ -23,11 +24,8 @@ constexpr int kRounds = 3;
 // An effective length of 0.4 is that of grain alone.
 // Sigma of the model over that of the error, if it is blotches: their residuals scatter from block to block.
 constexpr double kSigmaOverBlotches = 2.4;
-// Bending is seen in the terms of second order of a block's quadric: white error on a plane has a chi square of three
-// degrees of freedom in them.
-constexpr double kBentTerms = 3.0;
-constexpr double kBentByChance = 0.195;  // its 10 % quantile, over the three
-constexpr double kBentShare = 0.03;      // of a bending three quarters of a block long, in these terms
+// Of a bending three quarters of a block long: what the terms of second order of a block's quadric hold.
+constexpr double kBentShare = 0.03;
 constexpr double kPlaceOfBlotch = 1.2;
 constexpr double kMaxBinWeight = 20.0;
 
@@ -51,9 +49,9 @@ double lengthOfModel(double effective_length, const InverseDepthImage& image) {
 }
 
 /// Of the model's variance, in which whole surfaces err together: all of it unless grain outweighs blotches and
-/// bending.
-double correlatedShare(double blotches, double bent, int side) {
-  const double of_terms = std::max(0.0, bent / kBentByChance - 1.0) * kBentTerms / (side * side);
+/// bending. SlowBending tells the bending better, but from regions, which there are none of yet.
+double correlatedShare(double blotches, double bent_over_chance, int side) {
+  const double of_terms = std::max(0.0, bent_over_chance - 1.0) * (kTerms - kPlaneTerms) / (side * side);
   const double common = blotches * kSigmaOverBlotches * kSigmaOverBlotches + of_terms / kBentShare;
   return std::min(1.0, common / std::max(1.0 - blotches, 1e-9));
 }
@@ -142,7 +140,7 @@ SensorEstimate ImageEstimation::estimate(const InverseDepthImage& image) {
     sigma = {fit.a, fit.b, true};
   }
   if (!result.model().validate().empty()) return genericEstimate(image);  // of numbers that no sensor measured
-  result.correlated_share = correlatedShare(blotches_.share, bins_.bent(), blocks_.blockSize());
+  result.correlated_share = correlatedShare(blotches_.share, bins_.bentOverChance(), blocks_.blockSize());
   const double pixels = image.steps.side();
   for (double* length : {&result.correlation_length, &result.blotch_length, &result.effective_length})
     *length *= pixels;
