@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "laser/laser_samples.h"
+#include "symmetric_part.h"
 
 namespace epcc {
 namespace {
@@ -21,10 +22,10 @@ constexpr double kCornerSigmas = 3.0;  // from the end that the beams show
 void setEnd(const RangeLine& line, const Eigen::Vector2d& beam, const Eigen::Vector2d& next, Vector2& point,
             Matrix2& covariance) {
   point = line.point(beam);
-  covariance = line.rangeVariance(beam) * beam * beam.transpose();
+  covariance = line.rangeVariance(beam) * symmetricPart(beam * beam.transpose());
   if (!(line.range(next) > 0.0)) return;
   const Eigen::Vector2d step = line.point(next) - line.point(beam);
-  covariance += kEndVariance * step * step.transpose();
+  covariance += kEndVariance * symmetricPart(step * step.transpose());
 }
 
 /// Of (alpha, rho), from that of q.
@@ -32,7 +33,7 @@ Matrix2 polarCovariance(const RangeLine& line) {
   const double square = line.q.squaredNorm(), rho = 1.0 / std::sqrt(square);
   Eigen::Matrix2d jacobian;
   jacobian << -line.q.y() / square, line.q.x() / square, -line.q.x() * rho * rho * rho, -line.q.y() * rho * rho * rho;
-  return jacobian * line.covariance * jacobian.transpose();
+  return symmetricPart(jacobian * line.covariance * jacobian.transpose());
 }
 
 /// Factor of the covariance: the errors' own size where they are larger than the noise model by more than chance.
@@ -86,7 +87,7 @@ bool crossing(const RangeLine& a, const RangeLine& b, Eigen::Vector2d& point, Ei
   point = inverse * Eigen::Vector2d::Ones();
   // rows * point = 1: an error dq of a row moves the point by -inverse * (dq . point).
   const Eigen::Vector2d variances(point.dot(a.covariance * point), point.dot(b.covariance * point));
-  covariance = inverse * variances.asDiagonal() * inverse.transpose();
+  covariance = symmetricPart(inverse * variances.asDiagonal() * inverse.transpose());
   return true;
 }
 

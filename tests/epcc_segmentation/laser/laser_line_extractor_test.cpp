@@ -181,6 +181,27 @@ TEST(LaserLineExtractor, LinesOfAnyRangesAreFinite) {
   }
 }
 
+// Eight returns at a millimetre and one behind them make a line that passes the sensor at a hair's breadth: the terms
+// of its covariance cancel.
+TEST(LaserLineExtractor, CovariancesAreSymmetricToTheLastBit) {
+  std::vector<LaserScan> scans = {scanOf(room(-2.0, 3.0, -1.5, 2.5), 720, 0.0, 0.5 * kDegree, 0.01)};
+  for (const double angle : {-1.21, -0.5, 0.3}) {
+    LaserScan scan;
+    scan.ranges.assign(9, 0.001);
+    scan.ranges[0] = angle > 0.0 ? 0.5 : 0.1;
+    scan.angle_min = angle;
+    scan.angle_increment = 0.01;
+    scans.push_back(scan);
+  }
+  for (const LaserScan& scan : scans) {
+    const LaserLines lines = linesOf(scan);
+    EXPECT_FALSE(lines.lines.empty());
+    for (const LaserLine& line : lines.lines)
+      for (const Matrix2& covariance : {line.covariance, line.start_covariance, line.end_covariance})
+        EXPECT_EQ(covariance(0, 1), covariance(1, 0));
+  }
+}
+
 TEST(LaserLineExtractor, SaysWhatCannotBeUsed) {
   LaserLineExtractor extractor(kNoise);
   LaserLines lines;
