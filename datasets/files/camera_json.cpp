@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
+#include <vector>
 
 #include "datasets/files/image.h"
 #include "datasets/support/atomic_file.h"
@@ -62,11 +64,17 @@ void takeNames(const std::string& path, nlohmann::json& json, CameraFile& file) 
 
 nlohmann::json readJsonObject(const std::string& path) {
   try {
-    const auto too_deep = [&path](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    std::vector<std::set<std::string>> keys;  // of the objects that are open
+    const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& value) {
+      using Event = nlohmann::json::parse_event_t;
       if (depth > kMaxNesting) throw InputError(path, "JSON", "is nested too deeply");
+      if (event == Event::object_start) keys.emplace_back();
+      if (event == Event::object_end) keys.pop_back();
+      if (event == Event::key && !keys.back().insert(value.get<std::string>()).second)
+        throw InputError(path, value.get<std::string>(), "occurs twice");
       return true;
     };
-    auto json = nlohmann::json::parse(readText(path), too_deep);
+    auto json = nlohmann::json::parse(readText(path), check);
     if (!json.is_object()) throw InputError(path, "JSON", "is not an object");
     return json;
   } catch (const nlohmann::json::exception& error) {

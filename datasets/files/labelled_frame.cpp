@@ -96,6 +96,13 @@ std::string labelledFrameFile(const std::string& folder, const std::string& name
   return !fileExists(image) && fileExists(cloud) ? cloud : image;
 }
 
+std::string frameHeld(const std::string& folder, const std::string& name) {
+  const std::string file = labelledFrameFile(folder, name);
+  const bool is_frame = fileExists(file) && (!hasEnding(file, kCloudEnding) ||
+                                             fileExists(existingFile(pathOf(folder, name, kCameraEnding))));
+  return is_frame ? std::filesystem::path(file).filename().string() : std::string();
+}
+
 LabelledFrame readLabelledFrame(const std::string& folder, const std::string& name) {
   const std::string json_path = existingFile(pathOf(folder, name, kCameraEnding));
   const std::string file = labelledFrameFile(folder, name);

@@ -33,6 +33,9 @@ DepthFrame frameView(const LabelledFrame& frame);
 std::vector<std::string> listLabelledFrames(const std::string& folder);
 /// Path of what was measured, NAME_depth.png or NAME.pcd: where both exist, the depth image.
 std::string labelledFrameFile(const std::string& folder, const std::string& name);
+/// Name of the file in the folder that a NAME_labels.png beside it would be the ground truth of; empty if there is
+/// none, or no such folder.
+std::string frameHeld(const std::string& folder, const std::string& name);
 /// Reads NAME's three files. InputError names the file whose size disagrees.
 LabelledFrame readLabelledFrame(const std::string& folder, const std::string& name);
 /// Depth is stored in units of camera.depth_scale, rounded; depths that do not fit 16 bits become invalid.

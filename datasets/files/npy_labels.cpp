@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <vector>
@@ -73,6 +74,12 @@ const NpyType& typeOf(const std::string& path, const std::string& text) {
   throw InputError(path, "descr", text + " is not a little-endian integer or float");
 }
 
+InputError noLabel(const std::string& path, std::size_t index, double value) {
+  char text[96];
+  std::snprintf(text, sizeof text, "value %zu is %.9g, no whole number from 0 to 65535", index, value);
+  return {path, "data", text};
+}
+
 }  // namespace
 
 LabelImage readNpyLabels(const std::string& path, int width, int height) {
@@ -91,8 +98,7 @@ LabelImage readNpyLabels(const std::string& path, int width, int height) {
     throw InputError(path, "data", "cannot be read");
   for (std::size_t i = 0; i < labels.data.size(); ++i) {
     const double value = type.value(&bytes[type.size * i]);
-    if (!(value >= 0.0 && value <= kIgnoreLabel) || value != std::floor(value))
-      throw InputError(path, "data", "value " + std::to_string(i) + " is not a whole number from 0 to 65535");
+    if (!(value >= 0.0 && value <= kIgnoreLabel) || value != std::floor(value)) throw noLabel(path, i, value);
     labels.data[i] = static_cast<std::uint16_t>(value);
   }
   return labels;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "datasets/sources/abw_folder.h"
 #include "datasets/sources/labelled_cloud.h"
@@ -102,9 +103,14 @@ std::unique_ptr<FrameSource> openDataset(const std::string& text) {
   const FormatAndPath named = splitDatasetText(text);
   if (!named.unknown.empty())
     throw InputError(text, "format", "there is none called '" + named.unknown + "', only " + joined(formatNames()));
+  if (named.path.empty()) throw InputError(text, "folder", "has no name");
   if (named.format != nullptr) return named.format->open(named.path);
   std::error_code code;
-  if (!fs::exists(text, code)) throw InputError(text, "folder", "does not exist");
+  if (!fs::exists(text, code))
+    throw InputError(text, "folder",
+                     code && code != std::errc::no_such_file_or_directory ? code.message() : "does not exist");
+  const fs::directory_iterator listed(text, code);
+  if (code == std::errc::permission_denied) throw InputError(text, "folder", code.message());
   for (const DatasetFormat& format : datasetFormats())
     if (format.recognises(text)) return format.open(text);
   throw InputError(text, "folder",

@@ -40,11 +40,22 @@ std::uint16_t synpebLabel(float value) {
                                                                                 : kIgnoreLabel;
 }
 
-/// The first point whose value is a number but no whole one, or the number of points.
-std::size_t firstFraction(const std::vector<float>& values) {
-  const auto fraction = std::find_if(values.begin(), values.end(),
-                                     [](float value) { return std::isfinite(value) && value != std::floor(value); });
-  return static_cast<std::size_t>(fraction - values.begin());
+bool isWhole(float value) {
+  return std::isfinite(value) && value == std::floor(value);
+}
+
+bool isMeasured(const float* point) {
+  return !std::isnan(point[0]) && (point[0] != 0.0F || point[1] != 0.0F || point[2] != 0.0F);
+}
+
+/// The first point whose label is no whole number, or the number of points. What is not measured may have none, NaN.
+std::size_t firstFraction(const OrganizedCloud& cloud) {
+  std::size_t i = 0;
+  const auto is_label = [&] {
+    return isWhole(cloud.label[i]) || (std::isnan(cloud.label[i]) && !isMeasured(&cloud.xyz[3 * i]));
+  };
+  while (i < cloud.label.size() && is_label()) ++i;
+  return i;
 }
 
 }  // namespace
@@ -54,7 +65,7 @@ LabelledFrame readLabelledCloud(const std::string& path) {
   if (field.empty()) return readCloud(path);
   OrganizedCloud cloud = readOrganizedPcd(path, field);
   const bool is_intensity = field == kIntensity;
-  const std::size_t fraction = firstFraction(cloud.label);
+  const std::size_t fraction = firstFraction(cloud);
   const bool whole = fraction == cloud.label.size();
   if (!whole && !is_intensity)
     throw InputError(path, field, "of point " + std::to_string(fraction) + " is not a whole number, so it is no label");

@@ -8,9 +8,12 @@
 #include <fstream>
 #include <random>
 
+#include "datasets/support/file_place.h"
 #include "datasets/support/input_error.h"
 
 namespace epcc {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -19,7 +22,7 @@ constexpr const char* kSuffix = ".tmp";
 
 /// A hidden name in the same folder that no other process, on this machine or another, uses at the same time. It does
 /// not grow with the target's name, which may be as long as the file system allows.
-std::string temporaryName(const std::filesystem::path& folder) {
+std::string temporaryName(const fs::path& folder) {
   std::random_device random;
   std::string name = kPrefix;
   for (int i = 0; i < 4; ++i) name += std::to_string(random()) + (i < 3 ? "-" : kSuffix);
@@ -28,19 +31,27 @@ std::string temporaryName(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write) {
-  namespace fs = std::filesystem;
+fs::path writtenFile(const std::string& path) {
   std::error_code code;
-  const fs::path folder = fs::path(path).parent_path();
-  if (!folder.empty() && !fs::is_directory(folder, code)) throw OutputError(path, "folder", "does not exist");
-  if (fs::is_directory(path, code)) throw OutputError(path, "file", "is a folder");
+  const fs::path file = behindLinks(path);
+  const fs::path folder = file.parent_path();
+  const fs::file_status of_folder = fs::status(folder.empty() ? "." : folder, code);
+  if (of_folder.type() == fs::file_type::none) throw OutputError(path, "folder", code.message());
+  if (!fs::is_directory(of_folder)) throw OutputError(path, "folder", "does not exist");
+  const fs::file_status status = fs::symlink_status(file, code);
+  if (fs::is_directory(status)) throw OutputError(path, "file", "is a folder");
   // A rename would replace a device such as /dev/null.
-  if (fs::exists(path, code) && !fs::is_regular_file(path, code))
-    throw OutputError(path, "file", "is not a regular file");
-  const std::string temporary = temporaryName(folder);
+  if (fs::exists(status) && !fs::is_regular_file(status)) throw OutputError(path, "file", "is not a regular file");
+  return file;
+}
+
+void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write) {
+  const fs::path file = writtenFile(path);
+  const std::string temporary = temporaryName(file.parent_path());
+  std::error_code code;
   try {
     write(temporary);
-    fs::rename(temporary, path, code);
+    fs::rename(temporary, file, code);
     if (code) throw OutputError(path, "file", code.message());
   } catch (...) {
     std::error_code ignored;
@@ -59,7 +70,6 @@ void writeTextFile(const std::string& path, const std::string& text) {
 }
 
 void removeTemporaries(const std::string& folder, bool below) {
-  namespace fs = std::filesystem;
   std::error_code code;
   fs::recursive_directory_iterator entry(folder, code);
   for (const fs::recursive_directory_iterator end; !code && entry != end; entry.increment(code)) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "datasets/support/file_place.h"
 #include "datasets/support/input_error.h"
 
 namespace epcc {
@@ -94,10 +95,7 @@ std::string existingFile(const std::string& path) {
 }
 
 std::string folderName(const std::string& folder) {
-  std::error_code error;
-  fs::path path = fs::weakly_canonical(fs::absolute(folder), error);
-  if (error) path = fs::path(folder);
-  if (path.filename().empty()) path = path.parent_path();
+  const fs::path path = filePlace(folder);
   return path.filename().empty() ? "root" : path.filename().string();
 }
 

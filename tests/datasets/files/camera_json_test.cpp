@@ -121,6 +121,13 @@ TEST_F(CameraJsonTest, ArrayInsteadOfObject) {
 TEST_F(CameraJsonTest, NumberInsteadOfObject) {
   expectRefused(std::string("640"), "JSON", "not an object");
 }
+TEST_F(CameraJsonTest, AKeyTwiceInOneObject) {
+  std::string twice = goodJson().dump();
+  expectRefused(twice.insert(1, R"("fx": 1.0, )"), "fx", "occurs twice");
+  json content = goodJson();
+  content["mine"] = json::parse(R"({"fx": 1, "below": [{"fx": 2}, {"fx": 3}]})");
+  EXPECT_EQ(read(content).extra["mine"], content["mine"]) << "each object has keys of its own";
+}
 TEST_F(CameraJsonTest, TextBehindTheObject) {
   expectRefused(goodJson().dump() + "}", "JSON", "");
 }

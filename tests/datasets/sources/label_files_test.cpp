@@ -49,7 +49,9 @@ TEST_F(LabelFiles, BadNumpyFilesAreErrors) {
   refused(npyFile(npyHeader("<f8", "(6,)"), six.substr(1)), "data", "not as long");
   refused(npyFile(npyHeader("<f8", "(6,)"), six + "x"), "data", "not as long");
   for (const double wrong : {-1.0, 0.5, 65536.0, 1e300, std::numeric_limits<double>::quiet_NaN()})
-    refused(npyFile(npyHeader("<f8", "(6,)"), rawBytes<double>({0, 1, wrong, 3, 4, 5})), "data", "value 2 is not");
+    refused(npyFile(npyHeader("<f8", "(6,)"), rawBytes<double>({0, 1, wrong, 3, 4, 5})), "data", "value 2 is ");
+  refused(npyFile(npyHeader("<f8", "(6,)"), rawBytes<double>({0, 1, -1, 3, 4, 5})), "data",
+          "value 2 is -1, no whole number from 0 to 65535");
 }
 
 TEST_F(LabelFiles, GreyPicturesHoldTheirNumbers) {

@@ -72,6 +72,21 @@ TEST_F(LabelledCloud, LabelsThatAreNoWholeNumbersAreErrors) {
   expectInputError([&] { readLabelledCloud(file); }, file, "label", "of point 1 is not a whole number");
 }
 
+TEST_F(LabelledCloud, ALabelOfNoNumberIsOneOfAPointThatIsNotMeasured) {
+  const auto with = [this](const std::string& third, const std::string& fourth) {
+    std::string text = kScan;
+    text.replace(text.find("intensity"), 9, "label");
+    text.replace(text.find("nan nan nan 12"), 14, third);
+    return write("scan.pcd", text.replace(text.find("0 4 0 1234"), 10, fourth));
+  };
+  const LabelledFrame frame = readLabelledCloud(with("nan nan nan nan", "0 0 0 nan"));
+  EXPECT_EQ(frame.labels.data, (std::vector<std::uint16_t>{10, 9, 0, 0}));
+  for (const char* label : {"nan", "inf"}) {
+    const std::string file = with("nan nan nan 12", std::string("0 4 0 ") + label);
+    expectInputError([&] { readLabelledCloud(file); }, file, "label", "of point 3 is not a whole number");
+  }
+}
+
 TEST_F(LabelledCloud, ExtensionMayBeInCapitals) {
   write("scan.PCD", kScan);
   write("other.pcd", kScan);
