@@ -87,7 +87,7 @@ std::optional<SensorModel> SensorModel::parse(const std::string& text, std::stri
   const bool has_share = v.size() == 4 && !is_polynomial;
   if (v.size() != 3 && !has_share)
     return fail("'" + text + "' is neither a preset (" + joined(presetNames()) +
-                ") nor A,B,L[,C] nor poly:K1,K2,K3 with three finite numbers");
+                ") nor A,B,L[,C] nor poly:K1,K2,K3, of finite numbers");
   const SensorModel model = is_polynomial ? polynomial(v[0], v[1], v[2])
                                           : axial(v[0], v[1], v[2]).withCorrelatedShare(has_share ? v[3] : 1.0);
   const std::string problem = model.validate();

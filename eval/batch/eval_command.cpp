@@ -133,7 +133,9 @@ std::optional<ExperimentSummary> EvalRun::runInFolder() {
   }
   FrameJobs jobs = shardJobs();
   if (options_.resume)
-    jobs.keepIf([&](const FrameJob& job) { return !loadFrame(options_.out, job.source->dataset(), job.index); });
+    jobs.keepIf([&](const FrameJob& job) {
+      return !loadFrame(options_.out, job.source->dataset(), job.index, description.methods);
+    });
   bool lost = false;
   const auto store = [&](const FrameResult& result) {
     if (result.lost) lost = true;

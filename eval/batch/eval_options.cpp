@@ -11,6 +11,7 @@
 
 #include "baselines/registry.h"
 #include "datasets/sources/dataset_registry.h"
+#include "datasets/support/file_place.h"
 #include "datasets/support/input_error.h"
 #include "datasets/support/joined.h"
 #include "eval/batch/eval_methods.h"
@@ -83,16 +84,22 @@ void setPredictions(const RawOptions& raw, EvalOptions& options) {
   }
 }
 
-/// Writing the labels of an imported method over themselves would destroy the user's files.
-void keepPredictions(const EvalOptions& options) {
+/// Writing the labels of a method over those that are imported, or anything over the sensor model, would destroy the
+/// user's files.
+void keepInputs(const EvalOptions& options) {
   namespace fs = std::filesystem;
   if (options.out.empty()) return;
-  for (const Predictions& predictions : options.predictions) {
-    std::error_code error;
-    const fs::path target = fs::path(options.out) / "labels" / predictions.name;
-    require(fs::weakly_canonical(target, error) != fs::weakly_canonical(predictions.folder, error),
-            "--predictions: " + predictions.folder + " would be overwritten; choose another NAME or --out");
+  for (const Method& method : evalMethods(options)) {
+    const std::string target = (fs::path(options.out) / "labels" / method.name).string();
+    for (const Predictions& predictions : options.predictions)
+      require(!isWithin(predictions.folder, target),
+              "--predictions: " + predictions.folder + " would be overwritten; choose another NAME or --out");
   }
+  if (!isNoiseFile(options.noise)) return;
+  bool is_output = isWithin(options.noise, (fs::path(options.out) / "results").string());
+  for (const char* name : {"run.json", "summary.json"})
+    is_output |= filePlace(options.noise) == filePlace((fs::path(options.out) / name).string());
+  require(!is_output, "--noise: " + options.noise + " would be overwritten; choose another --out");
 }
 
 constexpr int kMaxLag = 10000;
@@ -140,24 +147,23 @@ void setOptions(const RawOptions& raw, EvalOptions& options) {
   std::string misread;
   options.reading = readingOptions(raw.reading, misread);
   require(misread.empty(), misread);
-  keepPredictions(options);
+  keepInputs(options);
   options.jobs = threadsFor(options.jobs);
-  if (options.noise.empty()) return;
-  const std::string why = noiseProblem(options.noise);
-  require(why.empty(), "--noise: " + why);
 }
 
 void addOptions(CLI::App& app, EvalOptions& options, RawOptions& raw) {
   raw.methods = joined(segmenterNames(), ",");
   app.add_option("DATASET", raw.datasets, "FOLDER or FORMAT:FOLDER, FORMAT one of " + joined(formatNames()))
-      ->type_name("");
+      ->type_name("")
+      ->check(checkPath);
   app.add_option("--methods", raw.methods, "Methods, or none (" + raw.methods + ")")->type_name("A,B,...");
   app.add_option("--predictions", raw.predictions,
                  "Label images DIR/NAME_labels.png of another program, scored as method NAME")
       ->type_name("NAME=DIR ...");
   app.add_option("--noise", options.noise,
                  "Sensor: PRESET | A,B,L[,C] | poly:K1,K2,K3 | FILE.json | auto (else the frame's own, else auto)")
-      ->type_name("NOISE");
+      ->type_name("NOISE")
+      ->check(noiseProblem);
   app.add_option("--out", options.out, "Folder for the report, the results frame by frame, and labels/METHOD/")
       ->type_name("DIR")
       ->check(checkPath);

@@ -54,6 +54,8 @@ std::optional<int> parseMergeOptions(int argc, const char* const* argv, MergeOpt
 int merge(const MergeOptions& options, std::ostream& out, std::ostream& err) {
   const StoredResults results = StoredResults::merged(options.folders);
   const RunFolder folder(options.out);
+  const std::string refusal = folder.refuseRun();
+  if (!refusal.empty()) return reportProblem("epcc_eval merge", err, refusal, kExitUsage);
   const ExperimentSummary summary = writeRunReport(options.out, results, {});
   out << summaryText(summary);
   const long errors = summary.errors() + static_cast<long>(results.run().unusable.size());

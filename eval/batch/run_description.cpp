@@ -14,6 +14,7 @@
 #include "datasets/support/text_hash.h"
 #include "eval/batch/eval_methods.h"
 #include "eval/program/command_line.h"
+#include "eval/program/frame_sensor.h"
 #include "eval/program/reading_arguments.h"
 
 namespace epcc {
@@ -61,7 +62,7 @@ RunDescription describeRun(const EvalOptions& options, const std::vector<std::un
   run.program = projectVersion();
   for (const Method& method : evalMethods(options)) run.methods.push_back(method.name);
   for (const Predictions& p : options.predictions) run.predictions.push_back(p.name + "=" + p.folder);
-  run.noise = options.noise;
+  run.noise = noiseText(options.noise);
   run.reading = readingText(options.reading);
   run.overlays = options.overlays;
   run.times = !options.no_times;

@@ -24,7 +24,7 @@ struct RunDescription {
   std::string program;                   ///< version of epcc_eval
   std::vector<std::string> methods;      ///< in the order of the records
   std::vector<std::string> predictions;  ///< NAME=DIR, part of the methods too
-  std::string noise;                     ///< as on the command line
+  std::string noise;                     ///< as on the command line, and what its file says
   std::string reading;                   ///< options of the input as on the command line
   bool overlays = false;
   bool times = true;           ///< results have them

@@ -2,6 +2,7 @@
 // A frame's records are one JSON file; one that is damaged counts as not done.
 #include "eval/batch/stored_frame.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -21,6 +22,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kStoredVersion = 1;
 
+bool areOf(const std::vector<std::string>& methods, const std::vector<FrameRecord>& records) {
+  return std::equal(methods.begin(), methods.end(), records.begin(), records.end(),
+                    [](const std::string& method, const FrameRecord& record) { return method == record.method; });
+}
+
 }  // namespace
 
 std::string storedFramePath(const std::string& out, const std::string& dataset, std::size_t index) {
@@ -39,7 +45,8 @@ void storeFrame(const std::string& out, const StoredFrame& frame) {
   writeTextFile(path, json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-std::optional<StoredFrame> loadFrame(const std::string& out, const std::string& dataset, std::size_t index) {
+std::optional<StoredFrame> loadFrame(const std::string& out, const std::string& dataset, std::size_t index,
+                                     const std::vector<std::string>& methods) {
   std::ifstream file(storedFramePath(out, dataset, index), std::ios::binary);
   if (!file) return std::nullopt;
   try {
@@ -50,7 +57,7 @@ std::optional<StoredFrame> loadFrame(const std::string& out, const std::string& 
     frame.file_name = json.at("file_name");
     for (const Json& record : json.at("records"))
       frame.records.push_back(recordFromJson(record, dataset, json.at("frame")));
-    if (frame.records.empty()) return std::nullopt;
+    if (frame.records.empty() || !areOf(methods, frame.records)) return std::nullopt;
     return frame;
   } catch (const Json::exception&) {
     return std::nullopt;

@@ -99,7 +99,7 @@ void StoredResults::forEach(const Visit& visit) const {
     for (std::size_t i = 0; i < dataset.frames; ++i) {
       const std::string& folder = owners_[d].folders[i % owners_[d].folders.size()];
       if (folder.empty()) continue;
-      if (const std::optional<StoredFrame> frame = loadFrame(folder, dataset.name, i))
+      if (const std::optional<StoredFrame> frame = loadFrame(folder, dataset.name, i, run_.methods))
         visit(*frame, folder);
       else if (missing++ == 0)
         first = storedFramePath(folder, dataset.name, i);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "eval/program/frame_sensor.h"
+
 namespace epcc {
 
 void DoubtfulFrames::add(const std::vector<FrameRecord>& records) {
@@ -17,9 +19,7 @@ void DoubtfulFrames::add(const std::vector<FrameRecord>& records) {
 
 std::vector<std::string> DoubtfulFrames::lines() const {
   std::vector<std::string> lines;
-  for (const OfDataset& of : all_)
-    lines.push_back(of.dataset + ": " + std::to_string(of.frames) +
-                    (of.frames == 1 ? " frame is doubtful; " : " frames are doubtful; ") + of.first + ": " + of.doubt);
+  for (const OfDataset& of : all_) lines.push_back(of.dataset + ": " + doubtfulText(of.frames, of.first, of.doubt));
   return lines;
 }
 

@@ -5,16 +5,20 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 #include "datasets/files/camera_json.h"
 #include "datasets/files/png_io.h"
 #include "datasets/support/atomic_file.h"
+#include "datasets/support/file_place.h"
 #include "datasets/support/input_error.h"
 #include "eval/noise/noise_files.h"
 #include "eval/noise/noise_options.h"
 #include "eval/program/command_line.h"
+#include "eval/program/frame_sensor.h"
 #include "eval/program/progress_line.h"
 #include "eval/segment/segment_input.h"
 
@@ -23,26 +27,46 @@ namespace {
 
 constexpr const char* kProgram = "epcc_noise";
 
-void addFrame(const SegmentInput& input, const SegmentOptions& options, SensorPool& pool) {
+/// What is known of the frames besides what the pool knows.
+struct FramesSeen {
+  std::optional<LabelledFrame> first;
+  std::size_t swapped = 0;  ///< whose bytes are
+  std::string first_swapped;
+};
+
+void addFrame(const SegmentInput& input, const SegmentOptions& options, SensorPool& pool, FramesSeen& seen) {
   if (input.problem) throw *input.problem;
-  const LabelledFrame frame = loadInput(input, options);
+  LabelledFrame frame = loadInput(input, options);
   const DepthFrame view = frameView(frame);
   if (view.empty()) throw InputError(input.path, "frame", view.problem());
   if (!pool.add(view))
     throw InputError(input.path, "size",
                      "is not that of the frames before it, or its pixels are scattered unlike theirs");
+  if (frame.bytes_are_swapped && ++seen.swapped == 1) seen.first_swapped = input.path;
+  if (!seen.first) seen.first = std::move(frame);
+}
+
+/// What makes the measured error doubtful; empty if nothing does.
+std::string doubtsAbout(const FramesSeen& seen, const SensorEstimate& estimate) {
+  if (seen.swapped > 0) {
+    Doubts doubts;
+    doubts.bytes_are_swapped = true;
+    return doubtfulText(seen.swapped, seen.first_swapped, doubts.inWords());
+  }
+  const Doubts doubts = Doubts::of(frameView(*seen.first), estimate);
+  return doubts.any() ? seen.first->name + ": " + doubts.inWords() : std::string();
 }
 
 /// All frames, whatever becomes of each; the worst exit code.
 int addFrames(const std::vector<SegmentInput>& inputs, const SegmentOptions& options, SensorPool& pool,
-              std::ostream& err) {
+              FramesSeen& seen, std::ostream& err) {
   ProgressLine progress(err);
   int code = kExitDone;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (inputs.size() > 1) progress.show(i, inputs.size());
     std::ostringstream problem;
     const int of_frame = runStep(kProgram, problem, [&] {
-      addFrame(inputs[i], options, pool);
+      addFrame(inputs[i], options, pool, seen);
       return kExitDone;
     });
     progress.clear();
@@ -54,22 +78,17 @@ int addFrames(const std::vector<SegmentInput>& inputs, const SegmentOptions& opt
 
 /// Empty if no output is an input or its camera, else what is wrong.
 std::string outputProblem(const std::string& out, const std::vector<SegmentInput>& inputs) {
-  namespace fs = std::filesystem;
-  const auto canonical = [](const std::string& path) {
-    std::error_code ignored;
-    return fs::weakly_canonical(path, ignored).string();
-  };
   for (const char* ending : {".json", ".png"})
     for (const SegmentInput& input : inputs) {
       std::vector<std::string> files = {input.path, input.camera_file};
       if (input.source)
         for (const std::string& file : input.source->files(input.index)) files.push_back(file);
       for (const std::string& file : files)
-        if (!file.empty() && canonical(file) == canonical(out + ending))
+        if (!file.empty() && filePlace(file) == filePlace(out + ending))
           return out + ending + " would overwrite an input or its camera";
     }
   std::error_code ignored;
-  if (fs::is_regular_file(out + ".json", ignored)) {
+  if (std::filesystem::is_regular_file(out + ".json", ignored)) {
     try {
       if (readJsonObject(out + ".json").contains("fx")) return out + ".json is a camera file: choose another name";
     } catch (const InputError&) {  // no JSON that anyone could miss
@@ -101,7 +120,8 @@ int noiseMain(int argc, const char* const* argv, std::ostream& out, std::ostream
     if (misuse.empty()) misuse = outputProblem(options.out, list.inputs);
     if (!misuse.empty()) return reportProblem(kProgram, err, misuse, kExitUsage);
     SensorPool pool;
-    const int code = addFrames(list.inputs, options.input, pool, err);
+    FramesSeen seen;
+    const int code = addFrames(list.inputs, options.input, pool, seen, err);
     if (pool.frames() == 0) return std::max<int>(code, kExitInput);
     const SensorMeasurement measured = pool.measure();
     if (measured.estimate.blocks == 0)
@@ -109,6 +129,8 @@ int noiseMain(int argc, const char* const* argv, std::ostream& out, std::ostream
     writeTextFile(options.out + ".json", noiseJson(measured, pool.frames()));
     writeRgb(options.out + ".png", noisePicture(measured));
     out << summary(measured, pool.frames());
+    const std::string doubts = doubtsAbout(seen, measured.estimate);
+    if (!doubts.empty()) err << kProgram << ": " << doubts << '\n';
     return code;
   });
 }

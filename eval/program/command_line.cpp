@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <new>
@@ -39,6 +40,12 @@ void parseTold(CLI::App& app, int argc, const char* const* argv) {
   }
 }
 
+/// The code, or another if what was said could not be written.
+int writtenCode(const std::string& program, std::ostream& out, std::ostream& err, int code) {
+  out.flush();
+  return out ? code : reportProblem(program, err, "standard output: cannot be written", kExitOutput);
+}
+
 }  // namespace
 
 std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv, std::ostream& out,
@@ -49,10 +56,10 @@ std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* 
     if (check) check();
   } catch (const CLI::CallForHelp&) {
     out << app.help();
-    return kExitDone;
+    return writtenCode(app.get_name(), out, err, kExitDone);
   } catch (const CLI::CallForVersion& version) {
     out << version.what() << '\n';
-    return kExitDone;
+    return writtenCode(app.get_name(), out, err, kExitDone);
   } catch (const CLI::ParseError& error) {
     err << lineStart(app.get_name()) << printable(error.what(), kMaxLineBytes) << " (see " << app.get_name()
         << " --help)\n";
@@ -90,14 +97,13 @@ int runStep(const std::string& program, std::ostream& err, const std::function<i
 }
 
 int runProgram(const std::string& program, std::ostream& out, std::ostream& err, const std::function<int()>& run) {
-  const int code = runStep(program, err, run);
-  out.flush();
-  return out ? code : reportProblem(program, err, "standard output: cannot be written", kExitOutput);
+  return writtenCode(program, out, err, runStep(program, err, run));
 }
 
 int runMain(const char* program, int (*run)(int, const char* const*, std::ostream&, std::ostream&), int argc,
             const char* const* argv) {
   reserveMemory();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that gets too large is an error like a full disk
   try {
     return run(argc, argv, std::cout, std::cerr);
   } catch (const std::bad_alloc&) {

@@ -2,6 +2,7 @@
 // Which sensor model a frame is segmented with.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,13 @@ struct FrameSensor {
 /// takes; else what is wrong. InputError naming the file if there is none that can be used.
 std::string noiseProblem(const std::string& text);
 
+/// Whether `text` names a FILE.json.
+bool isNoiseFile(const std::string& text);
+
+/// `text`, as noiseProblem() takes it, and the model that is in the file now, if it names one: "sensor.json
+/// (0.001,0.003,2)". InputError if the file cannot be read.
+std::string noiseText(const std::string& text);
+
 /// Line of a help text: "PRESET is one of d435i, ...", with the `word` that the help has for it.
 std::string presetLine(const std::string& word);
 
@@ -33,5 +41,8 @@ FrameSensor frameSensor(const std::string& chosen, const std::optional<std::stri
 
 /// What makes this result for a frame doubtful, its file included.
 Doubts doubtsAbout(const LabelledFrame& frame, const FrameSensor& sensor, const PlaneSegmentation& result);
+
+/// "5 frames are doubtful; FRAME: what is said of the first".
+std::string doubtfulText(std::size_t frames, const std::string& first, const std::string& doubt);
 
 }  // namespace epcc

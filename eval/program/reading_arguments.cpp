@@ -36,11 +36,18 @@ std::string checkProjection(const std::string& text) {
 }  // namespace
 
 void addReadingArguments(CLI::App& app, ReadingArguments& arguments) {
+  app.add_option("--projection", arguments.projection,
+                 "What took the clouds: auto | camera | scanner, in any frame (auto)")
+      ->type_name("KIND")
+      ->check(checkProjection)
+      ->group("Input");
+  addDepthArguments(app, arguments);
+}
+
+void addDepthArguments(CLI::App& app, ReadingArguments& arguments) {
   const auto add = [&](const char* name, auto& value, const char* type, const char* text, auto check) {
     return app.add_option(name, value, text)->type_name(type)->check(check)->group("Input");
   };
-  add("--projection", arguments.projection, "KIND",
-      "What took the clouds: auto | camera | scanner, in any frame (auto)", checkProjection);
   add("--unit", arguments.unit, "m|cm|mm",
       "Unit of the numbers of clouds (m, or mm if that cannot be) and depth images", checkUnit);
   add("--min-depth", arguments.options.min_depth, "D", "Nearer points are invalid; depth or range, metres", checkDepth);

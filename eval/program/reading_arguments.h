@@ -20,7 +20,9 @@ struct ReadingArguments {
   ReadingOptions options;
 };
 
-/// Adds them in a group of their own; `arguments` must outlive the reading of the command line.
+/// Adds them in a group of their own; `arguments` must outlive the reading of the command line. The first adds those
+/// for depth images alone.
+void addDepthArguments(CLI::App& app, ReadingArguments& arguments);
 void addReadingArguments(CLI::App& app, ReadingArguments& arguments);
 
 /// What they say, once the command line was read; `problem` is empty if all is well.

@@ -11,9 +11,11 @@
 #include "datasets/files/plane_list.h"
 #include "datasets/files/png_io.h"
 #include "datasets/files/segment_list.h"
-#include "datasets/support/input_error.h"
+#include "datasets/support/atomic_file.h"
+#include "datasets/support/file_place.h"
 #include "eval/pictures/overlay.h"
 #include "eval/pictures/segment_picture.h"
+#include "eval/program/frame_sensor.h"
 #include "eval/segment/surface_output.h"
 
 namespace epcc {
@@ -21,23 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The same file has the same name, whether it exists or not.
-std::string canonical(const std::string& path) {
-  std::error_code error;
-  const fs::path full = fs::weakly_canonical(fs::absolute(path), error);
-  return error ? path : full.string();
-}
-
 // Files that must survive: the input, its camera, and the ground truth beside a depth image.
-std::set<std::string> filesOf(const SegmentInput& input, bool in_folder) {
-  std::set<std::string> files{canonical(input.path)};
+std::set<fs::path> filesOf(const SegmentInput& input, bool in_folder) {
+  std::set<fs::path> files{filePlace(input.path)};
   if (input.source)
-    for (const std::string& file : input.source->files(input.index)) files.insert(canonical(file));
-  if (!input.camera_file.empty()) files.insert(canonical(input.camera_file));
+    for (const std::string& file : input.source->files(input.index)) files.insert(filePlace(file));
+  if (!input.camera_file.empty()) files.insert(filePlace(input.camera_file));
   // Labels that --out writes beside their depth image would be taken for its truth from then on.
   const fs::path truth = fs::path(input.path).parent_path() / (input.name + "_labels.png");
   std::error_code error;
-  if (in_folder || fs::exists(truth, error)) files.insert(canonical(truth.string()));
+  if (in_folder || fs::exists(truth, error)) files.insert(filePlace(truth.string()));
   return files;
 }
 
@@ -90,26 +85,27 @@ OutputPaths outputPaths(const SegmentOptions& options, const SegmentInput& input
 }
 
 std::string checkOutputs(const SegmentOptions& options, const std::vector<SegmentInput>& inputs) {
-  std::set<std::string> protected_files;
+  std::set<fs::path> protected_files;
   for (const SegmentInput& input : inputs)
     protected_files.merge(filesOf(input, !options.out.empty() && !input.problem));
-  std::set<std::string> written;
+  std::set<fs::path> written;
   for (const SegmentInput& input : inputs) {
     if (input.problem && !options.out.empty()) continue;
+    const std::string held = options.out.empty() ? std::string() : frameHeld(options.out, input.name);
+    if (!held.empty())
+      return "--out: " + options.out + " has " + held + ": labels beside it would be taken for its ground truth";
     for (const std::string& path : outputPaths(options, input).all()) {
-      if (protected_files.count(canonical(path)) != 0) return path + " would overwrite an input or its ground truth";
-      if (!written.insert(canonical(path)).second) return path + " would be written twice";
+      if (isNoiseFile(options.noise) && filePlace(options.noise) == filePlace(path))
+        return path + " would overwrite the file of --noise";
+      if (protected_files.count(filePlace(path)) != 0) return path + " would overwrite an input or its ground truth";
+      if (!written.insert(filePlace(path)).second) return path + " would be written twice";
     }
   }
   return std::string();
 }
 
 void refuseSpecialFiles(const OutputPaths& paths) {
-  for (const std::string& path : paths.all()) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    if (fs::exists(status) && !fs::is_regular_file(status)) throw OutputError(path, "file", "is not a regular file");
-  }
+  for (const std::string& path : paths.all()) writtenFile(path);
 }
 
 void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result,

@@ -15,6 +15,12 @@ namespace fs = std::filesystem;
 constexpr const char* kPictureEndings[] = {"_labels.png", "_overlay.png"};
 constexpr const char* kWholeRun[] = {"tracks.json", "trajectory.txt", "map.ply", "map.png", "times.csv"};
 
+/// What stays because it cannot be removed, or is no file, cannot be written either.
+void removeFile(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_regular_file(fs::symlink_status(path, ignored))) fs::remove(path, ignored);
+}
+
 }  // namespace
 
 std::string foreignPicture(const std::string& folder, const std::vector<std::string>& frames) {
@@ -27,11 +33,16 @@ std::string foreignPicture(const std::string& folder, const std::vector<std::str
   return {};
 }
 
+std::vector<std::string> filesOfRun(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const char* name : kWholeRun) files.push_back((fs::path(folder) / name).string());
+  return files;
+}
+
 void removeEarlierRun(const std::string& folder, const std::vector<std::string>& frames) {
-  std::error_code ignored;  // what stays because it cannot be removed cannot be written either
-  for (const char* name : kWholeRun) fs::remove(fs::path(folder) / name, ignored);
+  for (const std::string& file : filesOfRun(folder)) removeFile(file);
   for (const std::string& frame : frames)
-    for (const char* ending : kPictureEndings) fs::remove(fs::path(folder) / (frame + ending), ignored);
+    for (const char* ending : kPictureEndings) removeFile(fs::path(folder) / (frame + ending));
 }
 
 }  // namespace epcc

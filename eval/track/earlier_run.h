@@ -13,7 +13,11 @@ namespace epcc {
 /// The first picture of labels in the folder that is of none of these frames; empty if there is none.
 std::string foreignPicture(const std::string& folder, const std::vector<std::string>& frames);
 
-/// Removes the pictures of these frames, and the files that speak of a whole run.
+/// Paths of the files that speak of a whole run.
+std::vector<std::string> filesOfRun(const std::string& folder);
+
+/// Removes the pictures of these frames, and the files that speak of a whole run. Links stay: what they stand for is
+/// written.
 void removeEarlierRun(const std::string& folder, const std::vector<std::string>& frames);
 
 }  // namespace epcc

@@ -7,10 +7,12 @@
 
 #include "datasets/files/png_io.h"
 #include "datasets/support/atomic_file.h"
-#include "datasets/support/output_folder.h"
 #include "eval/pictures/overlay.h"
 #include "eval/program/command_line.h"
+#include "eval/program/folder_lock.h"
+#include "eval/program/frame_sensor.h"
 #include "eval/program/reading_arguments.h"
+#include "eval/track/earlier_run.h"
 #include "eval/track/map_picture.h"
 #include "eval/track/track_files.h"
 #include "eval/track/track_report.h"
@@ -59,8 +61,11 @@ int trackMain(int argc, const char* const* argv, std::ostream& out, std::ostream
     std::string misuse = uselessOption(options.reading, kinds);
     if (misuse.empty()) misuse = outputProblem(options, input);
     if (!misuse.empty()) return reportProblem(kProgram, err, misuse, kExitUsage);
-    makeOutputFolder(options.out);
+    const FolderLock lock(options.out, kProgram);
+    for (const std::string& file : filesOfRun(options.out)) writtenFile(file);  // before hours of work
     const TrackResult result = runTracker(options, input, err);
+    if (result.doubtful > 0)
+      err << kProgram << ": " << doubtfulText(result.doubtful, result.first_doubtful, result.first_doubt) << '\n';
     writeFiles(options, result, err);
     if (options.overlays) writeOverlays(options, input, result);
     out << trackSummary(options, result) << trajectorySummary(result) << measureSummary(options, result);

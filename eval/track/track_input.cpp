@@ -9,8 +9,10 @@
 
 #include "datasets/files/frame_pose.h"
 #include "datasets/sources/dataset_registry.h"
+#include "datasets/support/file_place.h"
 #include "datasets/support/input_error.h"
 #include "datasets/support/number_text.h"
+#include "eval/program/frame_sensor.h"
 #include "eval/track/earlier_run.h"
 
 namespace epcc {
@@ -57,17 +59,23 @@ SequenceFrame TrackInput::read(std::size_t i) const {
 
 std::string outputProblem(const TrackOptions& options, const TrackInput& input) {
   namespace fs = std::filesystem;
-  const auto canonical = [](const fs::path& path) {
-    std::error_code ignored;
-    return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
-  };
   std::set<fs::path> folders;
   for (std::size_t i = 0; i < input.source().size(); ++i)
     for (const std::string& file : input.source().files(i)) folders.insert(fs::path(file).parent_path());
-  const fs::path out = canonical(fs::path(options.out) / "x").parent_path();
   for (const fs::path& folder : folders)
-    if (canonical(folder / "x").parent_path() == out)
+    if (filePlace(folder.empty() ? "." : folder.string()) == filePlace(options.out))
       return "--out: " + options.out + " holds the frames: labels beside them would be taken for their truth";
+  for (const std::string& name : input.names()) {
+    const std::string held = frameHeld(options.out, name);
+    if (!held.empty())
+      return "--out: " + options.out + " has " + held + ": labels beside it would be taken for its ground truth";
+  }
+  for (const std::string& file : filesOfRun(options.out)) {
+    if (!options.poses.empty() && filePlace(file) == filePlace(options.poses))
+      return "--out: " + file + " would overwrite the file of --poses";
+    if (isNoiseFile(options.noise) && filePlace(file) == filePlace(options.noise))
+      return "--out: " + file + " would overwrite the file of --noise";
+  }
   const std::string foreign = foreignPicture(options.out, input.names());
   if (!foreign.empty())
     return "--out: " + options.out + " has " + foreign + ", which is of no frame of this run: choose another folder";

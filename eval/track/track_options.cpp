@@ -90,10 +90,6 @@ std::string setOptions(const RawOptions& raw, TrackOptions& options) {
     problem = setSigmas("--motion-sigma", raw.motion_sigma, options.tracker.motion_offset_sigma,
                         options.tracker.motion_angle_sigma);
   if (problem.empty()) problem = setLags(raw.lags, options.lags);
-  const std::filesystem::path trajectory = std::filesystem::path(options.out) / "trajectory.txt";
-  std::error_code none_there;
-  if (problem.empty() && !options.poses.empty() && std::filesystem::equivalent(options.poses, trajectory, none_there))
-    problem = "--out: " + trajectory.string() + " would overwrite the file of --poses";
   if (problem.empty()) problem = setParameters(raw.assignments, options.parameters);
   options.measure |= options.compare_single;
   return problem;
@@ -174,7 +170,7 @@ std::optional<int> parseTrackOptions(int argc, const char* const* argv, TrackOpt
   RawOptions raw;
   app.add_option("FOLDER", options.folder, "Data set with the frames")->type_name("")->required()->check(checkPath);
   addSequenceOptions(app, options);
-  addReadingArguments(app, raw.reading);
+  addDepthArguments(app, raw.reading);
   addMethodOptions(app, options, raw);
   addOutputOptions(app, options, raw);
   return parseCommandLine(app, argc, argv, out, err, [&] {

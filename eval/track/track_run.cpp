@@ -78,6 +78,7 @@ class TrackRun {
     const double map_ms = lapMs(start);
     writeLabels(read.frame);
     remember(read, i, track_ms, told);
+    doubt(read.frame);
     const double write_ms = lapMs(start);
     writeTimes(read, track_ms, load_ms, map_ms, write_ms);
     if (result.measures) result.measures->add(read, tracked_, *tracker_);
@@ -136,6 +137,14 @@ class TrackRun {
     if (read.pose) result.truth.push_back({read.time, *read.pose});
     for (const double square : tracked_.squared_error) result.squared_errors.add(square);
     result.microseconds.add(std::lround(1e3 * track_ms));
+  }
+
+  void doubt(const LabelledFrame& frame) {
+    Doubts doubts = tracked_.segmentation.doubts;
+    doubts.bytes_are_swapped = frame.bytes_are_swapped;
+    if (!doubts.any() || ++result.doubtful > 1) return;
+    result.first_doubtful = frame.name;
+    result.first_doubt = doubts.inWords();
   }
 
   void writeTimes(const SequenceFrame& read, double track_ms, double load_ms, double map_ms, double write_ms) {

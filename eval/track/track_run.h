@@ -30,6 +30,8 @@ struct TrackResult {
   std::vector<std::string> lost;            ///< frames whose planes are not where they are expected
   long without_depth = 0;                   ///< frames that show nothing
   long problems = 0;                        ///< frames that could not be used
+  std::size_t doubtful = 0;                 ///< frames of which something speaks against their planes
+  std::string first_doubtful, first_doubt;  ///< the first of them, and what
 };
 
 /// Tracks the frames and writes their label images and times.csv into the folder. A frame that cannot be used is told

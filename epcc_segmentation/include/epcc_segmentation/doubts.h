@@ -27,8 +27,8 @@ struct EPCC_CORE_EXPORT Doubts {
   /// edges of things; from 0.1 on the depth may be no surface, as with 16-bit values whose bytes are swapped. 0 where
   /// pixels are scattered.
   double jump_share = 0.0;
-  /// Pixels that are measured, as a share of the frame's, if they are scattered over it; else 1. Below 0.05 only large
-  /// planes can be found.
+  /// Pixels that are measured, as a share of the frame's, if they are scattered over it; 0 where of() finds none; else
+  /// 1. Below 0.05 only large planes can be found.
   double scattered_share = 1.0;
   /// Of the pixels that are measured, the share that has exactly the largest or exactly the smallest depth of the
   /// frame, if it is 0.01 at least and they stand apart, nine of ten of their neighbours in a row being a tenth nearer

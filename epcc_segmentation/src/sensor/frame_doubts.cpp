@@ -115,7 +115,9 @@ std::string Doubts::inWords() const {
   char text[320];
   std::string line;
   const auto say = [&line](const char* doubt) { line += (line.empty() ? "" : "; ") + std::string(doubt); };
-  if (scattered_share < kFewPixels) {
+  if (scattered_share <= 0.0) {
+    say("no pixel is measured");
+  } else if (scattered_share < kFewPixels) {
     std::snprintf(text, sizeof text, "only %.2g %% of the pixels are measured: small planes cannot be found",
                   100.0 * scattered_share);
     say(text);
@@ -162,7 +164,10 @@ Doubts Doubts::of(const DepthFrame& any_frame, const SensorEstimate& measured) {
   InverseDepthImage image;
   ScatteredPixels scattered;
   image.read(inSensorFrame(any_frame, cloud));
-  if (std::none_of(image.w.begin(), image.w.end(), [](float w) { return w > 0.0f; })) return doubts;
+  if (std::none_of(image.w.begin(), image.w.end(), [](float w) { return w > 0.0f; })) {
+    doubts.scattered_share = 0.0;
+    return doubts;
+  }
   const bool is_scattered = scattered.find(image);
   std::vector<double> depths;
   doubts.sensor_is_generic = measured.blocks == 0;

@@ -110,6 +110,16 @@ TEST_F(EvalMerge, ShardsOfAnotherRunAreNamed) {
   expectFailure(merge({two[0], "later"}, "m"), 3, "data set rooms had 7 frames, has 8");
 }
 
+TEST_F(EvalMerge, ARunsOwnReportIsKept) {
+  const Words two = shards(2);
+  ASSERT_EQ(run({"halls", "--methods", "omps", "--out", "own"}).exit_code, 0);
+  const std::string before = read("own/summary.md");
+  expectFailure(merge(two, "own"), 2, "merge: own has results of its own; choose another --out");
+  EXPECT_EQ(read("own/summary.md"), before);
+  ASSERT_EQ(run(merge(two, "m")).exit_code, 0);
+  EXPECT_EQ(run(merge(two, "m")).exit_code, 0) << "a merged report may be made again";
+}
+
 TEST_F(EvalMerge, Usage) {
   EXPECT_EQ(run({"merge", "--help"}).exit_code, 0);
   expectFailure({"merge", "--out", "m"}, 2, "name at least one DIR");

@@ -96,14 +96,36 @@ TEST_F(EvalUsage, Refusals) {
   expectFailure({"frames", "--predictions", "..=x"}, 2, "is not NAME=DIR");
   expectFailure({"frames", "--predictions", "mine="}, 2, "is not NAME=DIR");
   expectFailure({"frames", "--noise", "nothing-known"}, 2, "--noise: ");
+  expectFailure({"frames", "--noise", ""}, 2, "--noise: ");
   expectFailure({"frames", "--out", ""}, 2, "--out: the name is empty");
+  expectFailure({""}, 2, "the name is empty");
+  expectFailure({"native:"}, 3, "native:: folder: has no name");
   expectFailure({"frames", "--noise", "no.json"}, 3, "no.json: file: does not exist");
   expectFailure({"frames", "--jobs", "-1"}, 2, "--jobs");
   expectFailure({"frames", "--jobs", "two"}, 2, "--jobs");
   expectFailure({"frames", "--overlays"}, 2, "--overlays needs --out");
   expectFailure({"frames", "./frames/"}, 2, "two folders called 'frames'");
-  expectFailure({"frames", "--out", "o", "--predictions", "mine=o/labels/../labels/mine"}, 2, "would be overwritten");
   EXPECT_FALSE(exists("o"));
+}
+
+TEST_F(EvalUsage, OutputsInThePlaceOfInputsAreRefused) {
+  writeFrame("frames", "f");
+  const auto refused = [this](const std::vector<std::string>& more, const std::string& words) {
+    std::vector<std::string> arguments = {"frames", "--methods", "omps", "--out", "o"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expectFailure(arguments, 2, words + " would be overwritten");
+  };
+  refused({"--predictions", "mine=o/labels/../labels/mine"}, "o/labels/../labels/mine");
+  refused({"--predictions", "mine=o/labels/omps"}, "o/labels/omps");
+  refused({"--predictions", "mine=o/labels/omps/frames"}, "o/labels/omps/frames");
+  refused({"--predictions", "mine=p", "yours=./o/labels/mine"}, "./o/labels/mine");
+  for (const char* file : {"o/summary.json", "o/run.json", "o/results/frames/000000/000.json"}) {
+    write(file, R"({"noise": "0.01,0,1"})");
+    refused({"--noise", file}, std::string("--noise: ") + file);
+    std::filesystem::remove_all(path("o"));
+  }
+  write("o/sensor.json", R"({"noise": "0.01,0,1"})");
+  EXPECT_EQ(run({"frames", "--methods", "omps", "--out", "o", "--noise", "o/sensor.json"}).exit_code, 0);
 }
 
 }  // namespace

@@ -82,6 +82,29 @@ TEST_F(EvalResume, AnotherRunIsRefusedAndTheDifferenceNamed) {
   refused({"rooms", "--methods", "omps"}, "the frames of data set rooms have other names");
 }
 
+// The name of a file says nothing of the model that is in it.
+TEST_F(EvalResume, AnotherModelInTheSameFileIsAnotherRun) {
+  writeFrames("rooms", 1);
+  write("s.json", R"({"noise": "0.001,0.003,2"})");
+  const std::vector<std::string> again = {"rooms", "--methods", "omps", "--noise", "s.json", "--out", "o", "--resume"};
+  ASSERT_EQ(run(again).exit_code, 0);
+  ASSERT_EQ(run(again).exit_code, 0);
+  write("s.json", R"({"noise": "0.002,0.003,2"})");
+  expectFailure(again, 2, "--noise was s.json (0.001,0.003,2), is s.json (0.002,0.003,2)");
+}
+
+TEST_F(EvalResume, ResultsOfAnotherMethodAreDoneAgain) {
+  writeFrames("rooms", 2);
+  const std::vector<std::string> again = {"rooms", "--methods", "omps", "--out", "o", "--no-times", "--resume"};
+  ASSERT_EQ(run(again).exit_code, 0);
+  const std::string file = "o/results/rooms/000000/000.json", before = read(file);
+  std::string foreign = before;
+  write(file, foreign.replace(foreign.find("omps"), 4, "omqs"));
+  expectFailure({"merge", "o", "--out", "m"}, 3, file + ": result: is missing");
+  ASSERT_EQ(run(again).exit_code, 0);
+  EXPECT_EQ(read(file), before);
+}
+
 TEST_F(EvalResume, NeedsOut) {
   writeFrames("rooms", 1);
   expectFailure({"rooms", "--resume"}, 2, "--resume needs --out");

@@ -26,7 +26,7 @@ TEST_F(StoredFrames, ComeBackAsTheyWere) {
   m.planes = {16, 17, 18};
   storeFrame(folder(), frame);
   EXPECT_TRUE(exists("results/rooms/001234/567.json"));
-  const auto back = loadFrame(folder(), "rooms", 1234567);
+  const auto back = loadFrame(folder(), "rooms", 1234567, {"m", "n"});
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(back->file_name, "rooms/f");
   ASSERT_EQ(back->records.size(), 2U);
@@ -38,15 +38,23 @@ TEST_F(StoredFrames, ComeBackAsTheyWere) {
 TEST_F(StoredFrames, ADoubtComesBackAndOlderFilesHaveNone) {
   storeFrame(folder(), {7, "f", {{"rooms", "f", "m", {}, {}, "", "is this a depth image?"}}});
   const std::string file = "results/rooms/000000/007.json", kept = ",\"doubt\":\"is this a depth image?\"";
-  EXPECT_EQ(loadFrame(folder(), "rooms", 7).value().records[0].doubt, "is this a depth image?");
+  EXPECT_EQ(loadFrame(folder(), "rooms", 7, {"m"}).value().records[0].doubt, "is this a depth image?");
   std::string older = read(file);
   ASSERT_NE(older.find(kept), std::string::npos) << older;
   write(file, older.erase(older.find(kept), kept.size()));
-  EXPECT_EQ(loadFrame(folder(), "rooms", 7).value().records[0].doubt, "");
+  EXPECT_EQ(loadFrame(folder(), "rooms", 7, {"m"}).value().records[0].doubt, "");
 }
 
 TEST_F(StoredFrames, NothingWhereThereIsNone) {
-  EXPECT_FALSE(loadFrame(folder(), "rooms", 0).has_value());
+  EXPECT_FALSE(loadFrame(folder(), "rooms", 0, {"m"}).has_value());
+}
+
+TEST_F(StoredFrames, AResultOfOtherMethodsIsNone) {
+  storeFrame(folder(), {7, "f", {{"rooms", "f", "m", {}, {}, ""}, {"rooms", "f", "n", {}, {}, ""}}});
+  EXPECT_TRUE(loadFrame(folder(), "rooms", 7, {"m", "n"}).has_value());
+  for (const std::vector<std::string>& others :
+       {std::vector<std::string>{"m"}, {"n", "m"}, {"m", "n", "o"}, {"m", "q"}})
+    EXPECT_FALSE(loadFrame(folder(), "rooms", 7, others).has_value()) << others.back();
 }
 
 TEST(TimeCounts, MedianOfManyTimesInTheirMicroseconds) {

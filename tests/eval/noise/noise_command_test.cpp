@@ -13,6 +13,7 @@
 #include "eval/program/frame_sensor.h"
 #include "tests/support/expect_errors.h"
 #include "tests/support/run_tool.h"
+#include "tests/support/swapped_bytes.h"
 
 namespace epcc::test {
 namespace {
@@ -92,7 +93,7 @@ TEST_F(NoiseCommand, NoiseFilesThatAreNoneAreToldOf) {
   expectInputError([&] { noiseProblem(path("none.json")); }, path("none.json"), "file", "does not exist");
   fails("{}", "is missing");
   fails(R"({"noise": 3})", "is not a text");
-  fails(R"({"noise": "1,2"})", "three finite numbers");
+  fails(R"({"noise": "1,2"})", "of finite numbers");
   fails(R"({"noise": "auto"})", "");
   EXPECT_EQ(problemOf(R"({"noise": "realsense"})"), "");
 }
@@ -132,6 +133,17 @@ TEST_F(NoiseCommand, AFrameThatDoesNotFitIsToldOfAndLeftOut) {
   EXPECT_EQ(result.out.rfind("1 frame, ", 0), 0U) << result.out;
   EXPECT_NE(result.err.find("d_depth.png: size: is not that of the frames before it"), std::string::npos) << result.err;
   EXPECT_FALSE(read("camera.json").empty());
+}
+
+TEST_F(NoiseCommand, SaysWhatIsDoubtful) {
+  render("f", "white:0.008,0.002,1", 1);
+  ASSERT_EQ(run({path("f"), "--out", path("camera")}).err, "");
+  swapBytesOf(path("f/c_000_depth.png"));
+  const ToolResult result = run({path("f"), "--out", path("camera")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("epcc_noise: 1 frame is doubtful; "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("_depth.png: depth: the two bytes"), std::string::npos) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
 }
 
 TEST_F(NoiseCommand, SaysWhatIsWrong) {

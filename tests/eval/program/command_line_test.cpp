@@ -57,6 +57,18 @@ TEST(ParseCommandLine, AFileThatAnOptionNamesIsAnInput) {
   EXPECT_EQ(outcomeOf({"a.png", "--size", "b.json"}), Outcome(3, "epcc_test: b.json: size: is odd\n"));
 }
 
+TEST(ParseCommandLine, HelpThatCannotBeWrittenIsAnError) {
+  for (const char* option : {"--help", "--version"}) {
+    CLI::App app("", "epcc_test");
+    app.set_version_flag("--version", "epcc_test 1");
+    const char* arguments[] = {"epcc_test", option};
+    std::ostringstream out, err;
+    out.setstate(std::ios::badbit);
+    EXPECT_EQ(parseCommandLine(app, 2, arguments, out, err), kExitOutput);
+    EXPECT_EQ(err.str(), "epcc_test: standard output: cannot be written\n");
+  }
+}
+
 TEST(RunStep, CodesArePassedOn) {
   std::ostringstream err;
   EXPECT_EQ(runStep("epcc_test", err, [] { return 2; }), 2);

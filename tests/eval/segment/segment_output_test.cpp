@@ -223,6 +223,27 @@ TEST_F(SegmentOutput, NeverOverwritesTheTruthOfAFrame) {
   EXPECT_EQ(read("room_labels.png"), "the truth");
 }
 
+// A folder of the same frames, or of links to them, has their truth.
+TEST_F(SegmentOutput, NeverWritesLabelsBesideAFrameOfThatName) {
+  writeFrame("copy/room");
+  write("copy/room_labels.png", "the truth");
+  expectFailure({"room_depth.png", "--out", "copy"}, 2, "copy has room_depth.png: labels beside it");
+  writeFrame("scans/room");
+  std::filesystem::remove(path("scans/room_depth.png"));
+  writeCloud("scans/room.pcd");
+  expectFailure({"room_depth.png", "--out", "scans"}, 2, "scans has room.pcd: labels beside it");
+  EXPECT_EQ(read("copy/room_labels.png"), "the truth");
+  EXPECT_EQ(names("scans"), (Names{"room.json", "room.pcd"}));
+}
+
+TEST_F(SegmentOutput, NeverOverwritesTheSensorModel) {
+  const std::string model = R"({"noise": "0.01,0,1"})";
+  for (const char* file : {"noise.json", "out/room_planes.json"}) write(file, model);
+  expectFailure({"room_depth.png", "--noise", "noise.json", "--planes", "./noise.json"}, 2, "the file of --noise");
+  expectFailure({"room_depth.png", "--noise", "out/room_planes.json", "--out", "out"}, 2, "the file of --noise");
+  EXPECT_EQ(read("noise.json") + read("out/room_planes.json"), model + model);
+}
+
 TEST_F(SegmentOutput, InputsOfTheSameNameClash) {
   writeFrame("a/room");
   expectFailure({"room_depth.png", "a/room_depth.png", "--out", "out"}, 2, "twice");
@@ -246,6 +267,16 @@ TEST_F(SegmentOutput, OutputThatIsADeviceOrPipe) {
   for (const char* option : {"--labels", "--planes", "--overlay", "--cloud", "--segments", "--segments-picture"}) {
     expectFailure({"room_depth.png", option, "pipe"}, 4, "pipe: file: is not a regular file");
     EXPECT_TRUE(std::filesystem::is_fifo(path("pipe")));
+  }
+}
+
+// As /dev/stdout is, which would be a file afterwards, and the one it stood for gone.
+TEST_F(SegmentOutput, OutputThatIsALinkToAStream) {
+  std::filesystem::create_symlink("/proc/self/fd/1", path("stream"));
+  for (const char* option : {"--labels", "--planes", "--overlay", "--cloud", "--segments", "--segments-picture"}) {
+    const ToolResult result = epcc::test::runTool("epcc_segment", {"room_depth.png", option, "stream"}, folder());
+    epcc::test::expectFailure(result, "epcc_segment", 4, "stream: file: is not a regular file");
+    EXPECT_TRUE(std::filesystem::is_symlink(path("stream")));
   }
 }
 

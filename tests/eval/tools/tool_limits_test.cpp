@@ -80,5 +80,14 @@ TEST_F(ToolLimits, NamesAreAsLongAsTheFileSystemAllows) {
   EXPECT_NE(output.err.find("name too long"), std::string::npos) << output.err;
 }
 
+TEST_F(ToolLimits, AFileThatMayNotGrowIsAnErrorLikeAFullDisk) {
+  std::filesystem::create_directories(path("rooms"));
+  writeLabelledFrame(path("rooms"), tinyFrame("f", 1));
+  const ToolResult result =
+      runTool("epcc_segment", {"rooms/f_depth.png", "--cloud", "c.pcd"}, folder(), "ulimit -f 1; ");
+  expectFailure(result, "epcc_segment", 4, "c.pcd: file: File too large");
+  EXPECT_EQ(names(), std::vector<std::string>{"rooms"});
+}
+
 }  // namespace
 }  // namespace epcc::test

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // epcc_track on rendered sequences: its files, its poses, its messages, and every wrong command line.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "datasets/files/png_io.h"
+#include "eval/program/folder_lock.h"
 #include "tests/eval/track/track_runs.h"
 #include "tests/support/real_frames.h"
+#include "tests/support/swapped_bytes.h"
 
 namespace epcc::test {
 namespace {
@@ -20,7 +23,7 @@ TEST_F(TrackCommand, LeavesAllItsFiles) {
   const std::string out = outputOf({frames(), "--out", path("o"), "--overlays"});
   EXPECT_NE(out.find("24 frames"), std::string::npos) << out;
   EXPECT_NE(out.find("poses known"), std::string::npos) << out;
-  std::vector<std::string> expected = {"map.png", "times.csv", "tracks.json", "trajectory.txt"};
+  std::vector<std::string> expected = {".epcc-lock", "map.png", "times.csv", "tracks.json", "trajectory.txt"};
 #ifdef EPCC_WITH_GEOS
   expected.push_back("map.ply");
 #endif
@@ -48,6 +51,44 @@ TEST_F(TrackCommand, ItsOwnTrajectoryIsNotOverwritten) {
   const std::string before = read("o/trajectory.txt");
   expectFailure({frames(), "--poses", path("o/trajectory.txt"), "--out", path("o")}, 2, "would overwrite");
   EXPECT_EQ(read("o/trajectory.txt"), before);
+}
+
+TEST_F(TrackCommand, NeitherTheSensorModelNorTheTruthOfOtherFramesIsOverwritten) {
+  const std::string model = write("o/tracks.json", R"({"noise": "0.01,0,1"})");
+  expectFailure({frames(), "--noise", model, "--out", path("o")}, 2, "would overwrite the file of --noise");
+  EXPECT_EQ(names("o"), std::vector<std::string>{"tracks.json"});
+  fs::copy(frames(), path("copy"));
+  const std::string labels = write("copy/" + frameName(2) + "_labels.png", "the truth");
+  expectFailure({frames(), "--out", path("copy")}, 2, frameName(0) + "_depth.png: labels beside it");
+  EXPECT_EQ(read("copy/" + frameName(2) + "_labels.png"), "the truth");
+}
+
+TEST_F(TrackCommand, WhatIsNoFileIsNotReplaced) {
+  for (const char* name : {"map.png", "tracks.json"}) {
+    fs::create_directories(path(std::string(name) + "_out/") + name);
+    expectFailure({frames(), "--frames", "3", "--out", path(std::string(name) + "_out")}, 4, "is a folder");
+    EXPECT_EQ(names(std::string(name) + "_out"), (std::vector<std::string>{".epcc-lock", name}));
+  }
+  fs::create_directory(path("o"));
+  ASSERT_EQ(mkfifo(path("o/times.csv").c_str(), 0600), 0);
+  expectFailure({frames(), "--frames", "3", "--out", path("o")}, 4, "is not a regular file");
+  EXPECT_TRUE(fs::is_fifo(path("o/times.csv")));
+}
+
+TEST_F(TrackCommand, TwoAtATimeInOneFolderAreRefused) {
+  const FolderLock lock(path("o"), "epcc_track");
+  expectFailure({frames(), "--frames", "3", "--out", path("o")}, 4, "another epcc_track is at work in it");
+}
+
+TEST_F(TrackCommand, DoubtfulFramesAreToldOnce) {
+  fs::copy(frames(), path("swapped"));
+  for (std::size_t i = 1; i < 4; ++i) swapBytesOf(path("swapped/" + frameName(i) + "_depth.png"));
+  const ToolResult result = run({path("swapped"), "--frames", "4", "--out", path("o")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err.rfind("epcc_track: 3 frames are doubtful; " + frameName(1) + ": depth: the two bytes", 0), 0U)
+      << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_EQ(run({frames(), "--frames", "4", "--out", path("p")}).err, "");
 }
 
 TEST_F(TrackCommand, LabelImagesOfOtherFramesAreNotJoined) {
