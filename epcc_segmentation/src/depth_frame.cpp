@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "depth_rows.h"
+#include "geometry/rigid_map.h"
 
 namespace epcc {
 
@@ -152,10 +153,12 @@ bool DepthFrame::posedPoint(int row, int column, double& x, double& y, double& z
   if (p[0] == 0.0f && p[1] == 0.0f && p[2] == 0.0f) return false;
   for (const Vector3f& marker : geometry_->invalid_points)
     if (p[0] == marker.x() && p[1] == marker.y() && p[2] == marker.z()) return false;
+  float about[3];
+  const RigidMap map(*geometry_);
+  map.apply(p, about);
+  if (!map.isMeasured(about)) return false;
   const Eigen::Vector3d metres = geometry_->unit * Vector3f(p[0], p[1], p[2]).cast<double>();
   const Eigen::Vector3d s = geometry_->pose.axes.transpose() * (metres - geometry_->pose.origin);
-  const double depth = isPerspective(projection_) ? s.z() : s.norm();
-  if (!(depth > 0.0) || depth < geometry_->min_depth || depth > geometry_->max_depth) return false;
   x = s.x();
   y = s.y();
   z = s.z();

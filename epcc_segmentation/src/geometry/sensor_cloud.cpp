@@ -3,9 +3,9 @@
 #include "geometry/sensor_cloud.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "geometry/rigid_map.h"
 #include "parallel_for.h"
 #include "symmetric_part.h"
 
@@ -14,23 +14,6 @@ namespace epcc {
 namespace {
 
 constexpr std::size_t kNoPixel = std::numeric_limits<std::size_t>::max();
-
-/// Points -> the sensor's frame, in single precision about the sensor.
-struct RigidMap {
-  float m[3][3];
-  float origin[3];  // in units of the cloud
-
-  explicit RigidMap(const CloudGeometry& geometry) {
-    for (int i = 0; i < 3; ++i) {
-      origin[i] = static_cast<float>(geometry.pose.origin(i) / geometry.unit);
-      for (int k = 0; k < 3; ++k) m[i][k] = static_cast<float>(geometry.pose.axes(k, i) * geometry.unit);
-    }
-  }
-  void apply(const float* p, float* s) const {
-    const float x = p[0] - origin[0], y = p[1] - origin[1], z = p[2] - origin[2];
-    for (int i = 0; i < 3; ++i) s[i] = m[i][0] * x + m[i][1] * y + m[i][2] * z;
-  }
-};
 
 }  // namespace
 
@@ -54,8 +37,6 @@ void SensorCloud::copyRow(const DepthFrame& frame, int row, float* to) const {
   const RigidMap map(geometry_);
   const float* points = frame.points();
   const std::size_t stride = frame.pointStride();
-  const bool is_scanner = geometry_.projection == Projection::Spherical;
-  const bool has_range = geometry_.min_depth > 0.0 || std::isfinite(geometry_.max_depth);
   const bool is_plain_order =
       geometry_.grid.ring_order.empty() && geometry_.grid.ring_shift.empty() && !geometry_.grid.rings_are_columns;
   const bool may_be_marked = !geometry_.invalid_points.empty() || frame.mask() != nullptr;
@@ -75,9 +56,7 @@ void SensorCloud::copyRow(const DepthFrame& frame, int row, float* to) const {
       if (std::any_of(geometry_.invalid_points.begin(), geometry_.invalid_points.end(), isPoint)) continue;
     }
     map.apply(p, to);
-    if (!has_range) continue;
-    const double depth = is_scanner ? std::hypot(to[0], to[1], to[2]) : to[2];
-    if (!(depth >= geometry_.min_depth && depth <= geometry_.max_depth)) to[2] = kNoPoint;
+    if (!map.isMeasured(to)) to[2] = kNoPoint;
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "epcc_segmentation/plane_fit.h"
 #include "epcc_segmentation/sensor_estimation.h"
+#include "geometry/sensor_cloud.h"
 #include "tests/epcc_segmentation/geometry/found_geometry.h"
 #include "tests/support/sanitized.h"
 
@@ -199,6 +200,51 @@ TEST(CameraGeometry, PointsThatManyPixelsShareAreNone) {
       for (std::size_t i = 0; i < cloud.size(); i += 7) ASSERT_EQ(found.result.labels[i], 0);
       EXPECT_EQ(found.geometry.is_plain, !is_turned && marker.z() < 0.0f);
     }
+}
+
+/// The frame calls those pixels measured that the segmentation, in the sensor's frame, does.
+void expectSamePixels(const DepthFrame& frame) {
+  epcc::SensorCloud cloud;
+  const DepthFrame own = epcc::inSensorFrame(frame, cloud);
+  Eigen::Vector3d point;
+  for (int row = 0; row < frame.height(); ++row)
+    for (int column = 0; column < frame.width(); ++column)
+      EXPECT_EQ(own.point(row, column, point), frame.point(row, column, point)) << row << ' ' << column;
+}
+
+// The pose is one that fuzzing found: in single precision the point was before the camera, in double behind it.
+TEST(CameraGeometry, APointAtTheSensorIsNoneInEveryPrecision) {
+  CloudGeometry geometry;
+  geometry.status = Status::Ok;
+  geometry.is_plain = false;
+  geometry.pose.origin = {0.15624992393341008, 2.5937499836454694, 3.6250001107247201};
+  geometry.pose.axes << 0.99951223435752667, 0.031214921532513477, 0.00096023088051566674, -0.031213969790912042,
+      0.99951223436781322, -0.00099067600822001604, -0.00099068638675370302, 0.00096022017280367189,
+      0.99999904825839858;
+  PosedCloud cloud = moved(posedRoom(), geometry.pose.axes, geometry.pose.origin);
+  const std::vector<std::size_t> at_sensor = {7, 1000, 5000, 5001, 9000};
+  const float place[] = {0.15625f, 2.59375f, 3.625f};
+  for (const std::size_t pixel : at_sensor) std::copy_n(place, 3, &cloud.xyz[3 * pixel]);
+  const auto frame = DepthFrame::fromPoints(cloud.xyz.data(), 3, cloud.width, cloud.height, geometry);
+  expectSamePixels(frame);
+  Eigen::Vector3d point;
+  for (const std::size_t pixel : at_sensor)
+    EXPECT_FALSE(frame.point(static_cast<int>(pixel) / cloud.width, static_cast<int>(pixel) % cloud.width, point));
+}
+
+TEST(CameraGeometry, ThePixelAtTheEndOfTheRangeIsTheSameInEveryPrecision) {
+  const PosedCloud cloud = moved(posedRoom(), kTurn, kShift);
+  const CloudGeometry found = geometryOf(cloud);
+  for (std::size_t i = 0; i < cloud.size(); i += cloud.size() / 50) {
+    const auto p = Eigen::Map<const Eigen::Vector3f>(&cloud.xyz[3 * i]).cast<double>();
+    const double depth = (found.pose.axes.transpose() * (p - found.pose.origin)).z();
+    if (!(depth > 0.5)) continue;
+    for (double CloudGeometry::*const end : {&CloudGeometry::min_depth, &CloudGeometry::max_depth}) {
+      CloudGeometry geometry = found;
+      geometry.*end = depth;
+      expectSamePixels(DepthFrame::fromPoints(cloud.xyz.data(), 3, cloud.width, cloud.height, geometry));
+    }
+  }
 }
 
 TEST(CameraGeometry, ANamedValueIsNoPointHoweverRare) {
