@@ -12,7 +12,8 @@
 namespace epcc {
 namespace {
 
-constexpr int kFewestNothing = 10;  // beams with the same largest range
+constexpr std::size_t kMostAtEnd = 4;  // words
+constexpr int kFewestNothing = 10;     // beams with the same largest range
 
 /// What is wrong with a line.
 struct Damage {
@@ -60,6 +61,10 @@ class Words {
     pose.y = finite("the pose");
     pose.theta = finite("the pose");
     return pose;
+  }
+  /// Behind the timestamp stand a host and the logger's time; a message that begins there has lost its line's start.
+  void end() const {
+    if (left() > kMostAtEnd) throw Damage{std::to_string(left()) + " words follow the timestamp"};
   }
   void skip(std::size_t count, const char* name) {
     for (std::size_t i = 0; i < count; ++i) word(name);
@@ -165,7 +170,9 @@ LaserLog readCarmenLog(const std::string& path) {
         if (name != kMessages[k].name) continue;
         try {
           Words words(line);
-          found[k].push_back(kMessages[k].read(words));
+          LaserRecord record = kMessages[k].read(words);
+          words.end();
+          found[k].push_back(std::move(record));
           found[k].back().line = lines.number();
           ++scans;
           beams += found[k].back().scan.ranges.size();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of scans: columns by the names of sensor_msgs/LaserScan.
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "datasets/files/laser_log.h"
 #include "datasets/support/input_error.h"
@@ -26,6 +28,23 @@ std::string_view plainName(std::string_view name) {
   return name;
 }
 
+constexpr std::string_view kRanges = "ranges";
+
+/// "ranges12" -> 12; nothing for "ranges" alone.
+std::optional<long> numberOf(std::string_view name) {
+  std::string digits;
+  for (const char c : name)
+    if (c >= '0' && c <= '9') digits += c;
+  if (digits.empty() || digits.size() > 9) return std::nullopt;
+  return std::stol(digits);
+}
+
+/// Of the names of two columns side by side.
+bool follows(std::string_view before, std::string_view name) {
+  const std::optional<long> first = numberOf(before), second = numberOf(name);
+  return first.has_value() == second.has_value() && (!first || *second == *first + 1);
+}
+
 Columns findColumns(std::string_view heading, const std::string& path, long line) {
   Columns columns;
   const std::pair<std::string_view, int Columns::*> known[] = {{"time", &Columns::time},
@@ -39,15 +58,23 @@ Columns findColumns(std::string_view heading, const std::string& path, long line
                                                                {"y", &Columns::y},
                                                                {"theta", &Columns::theta}};
   const std::vector<std::string_view> names = fieldsOf(heading);
+  const std::string field = "line " + std::to_string(line);
+  std::set<std::string_view> seen;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string_view name = plainName(names[i]);
-    const bool is_range = name.substr(0, 6) == "ranges";
-    if (is_range && columns.first_range < 0) columns.first_range = static_cast<int>(i);
-    if (!is_range && columns.first_range >= 0 && columns.end_range < 0) columns.end_range = static_cast<int>(i);
-    for (const auto& [text, member] : known)
-      if (name == text) columns.*member = static_cast<int>(i);
+    for (const auto& [text, member] : known) {
+      if (name != text) continue;
+      if (!seen.insert(name).second) throw InputError(path, field, "the heading has '" + std::string(name) + "' twice");
+      columns.*member = static_cast<int>(i);
+    }
+    const bool is_range = name.substr(0, kRanges.size()) == kRanges;
+    const bool was_range = i > 0 && plainName(names[i - 1]).substr(0, kRanges.size()) == kRanges;
+    if (is_range && columns.first_range < 0)
+      columns.first_range = static_cast<int>(i);
+    else if (is_range && (!was_range || !follows(plainName(names[i - 1]), name)))
+      throw InputError(path, field, "the heading has '" + std::string(name) + "' out of order");
+    if (!is_range && was_range) columns.end_range = static_cast<int>(i);
   }
-  const std::string field = "line " + std::to_string(line);
   if (columns.angle_min < 0) throw InputError(path, field, "the heading has no angle_min");
   if (columns.angle_increment < 0) throw InputError(path, field, "the heading has no angle_increment");
   if (columns.first_range < 0) throw InputError(path, field, "the heading has no ranges");

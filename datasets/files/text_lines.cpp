@@ -12,6 +12,7 @@ namespace epcc {
 namespace {
 
 constexpr std::size_t kBlock = 1 << 16;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
@@ -73,6 +74,8 @@ bool TextLines::next(std::string_view& line) {
   }
   ++number_;
   line = line_;
+  if (number_ == 1 && line.substr(0, kByteOrderMark.size()) == kByteOrderMark)
+    line.remove_prefix(kByteOrderMark.size());
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   return true;
 }

@@ -99,9 +99,10 @@ Trajectory builtInPath(const std::string& name, const Scene& scene, std::size_t 
 Trajectory pathAlong(const Trajectory& recorded, const Scene& scene, std::size_t frames, double rate) {
   const double first = recorded.front().time, duration = recorded.back().time - first;
   const Isometry3d moved = cameraToWorld(scene.pose) * recorded.front().pose.inverse();
-  const auto all = static_cast<std::size_t>(std::floor(duration * rate + 1e-6)) + 1;
+  const double all = std::floor(duration * rate + 1e-6) + 1.0;
+  const double count = frames == 0 ? all : std::min(static_cast<double>(frames), all);
   Trajectory trajectory;
-  for (std::size_t i = 0; i < (frames == 0 ? all : std::min(frames, all)); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     const double time = static_cast<double>(i) / rate;
     trajectory.push_back({time, moved * poseBetween(recorded, first + time)});
   }

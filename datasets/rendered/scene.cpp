@@ -102,13 +102,13 @@ nlohmann::json planesJson(const Scene& scene, const SceneView& view, const std::
   return planes;
 }
 
-std::string frameName(const std::string& scene, std::uint64_t seed) {
+}  // namespace
+
+std::string sceneFrameName(const std::string& name, std::uint64_t seed) {
   char text[32];
   std::snprintf(text, sizeof text, "_%03llu", static_cast<unsigned long long>(seed));
-  return scene + text;
+  return name + text;
 }
-
-}  // namespace
 
 PinholeCamera sceneCamera() {
   return sceneCamera(480, 270);
@@ -147,7 +147,7 @@ LabelledFrame sceneFrame(const std::string& name, std::uint64_t seed, const Scen
   const double min_pixels = std::max(1.0, options.min_surface_pixels * area);
 
   LabelledFrame frame;
-  frame.name = frameName(name, seed);
+  frame.name = sceneFrameName(name, seed);
   frame.camera.camera = options.camera;
   frame.camera.depth_scale = kDepthUnit;
   frame.camera.name = frame.name;

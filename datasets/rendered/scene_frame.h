@@ -14,6 +14,9 @@ namespace epcc {
 /// The arrangement that renderScene() shows for this seed; std::invalid_argument for an unknown name.
 Scene sceneArrangement(const std::string& name, std::uint64_t seed);
 
+/// "a_000" of the scene a and the seed 0.
+std::string sceneFrameName(const std::string& name, std::uint64_t seed);
+
 /// A view of it with labels and planes, as renderScene() gives it.
 LabelledFrame sceneFrame(const std::string& name, std::uint64_t seed, const Scene& scene, const SceneView& view,
                          const SceneOptions& options);

@@ -32,11 +32,15 @@ SceneSequence::SceneSequence(const SequenceRecipe& recipe)
   scene_.showAllSides();
 }
 
+std::string SceneSequence::name(std::size_t i) const {
+  return numbered(sceneFrameName(recipe_.scene, recipe_.seed), recipe_.path, i);
+}
+
 LabelledFrame SceneSequence::frame(std::size_t i) const {
   const StampedPose& stamped = trajectory_.at(i);
   LabelledFrame frame = sceneFrame(recipe_.scene, recipe_.seed, scene_,
                                    renderView(scene_, recipe_.options.camera, stamped.pose), recipe_.options);
-  frame.name = numbered(frame.name, recipe_.path, i);
+  frame.name = name(i);
   frame.camera.name = frame.name;
   addLastingError(frame, stamped.pose, recipe_.noise, recipe_.lasting, field_);
   applyNoise(frame, freshNoise(recipe_.noise, recipe_.lasting), recipe_.seed);

@@ -34,7 +34,9 @@ class SceneSequence {
   explicit SceneSequence(const SequenceRecipe& recipe);
 
   const Trajectory& trajectory() const { return trajectory_; }
-  /// Frame `i`, with "pose" and "timestamp" in its JSON: SCENE_SEED_PATH_NUMBER. The noise is drawn anew for each.
+  /// SCENE_SEED_PATH_NUMBER
+  std::string name(std::size_t i) const;
+  /// Frame `i`, with "pose" and "timestamp" in its JSON. The noise is drawn anew for each.
   LabelledFrame frame(std::size_t i) const;
 
  private:

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <random>
 
-#include "datasets/support/file_place.h"
 #include "datasets/support/input_error.h"
 
 namespace epcc {
@@ -31,27 +30,25 @@ std::string temporaryName(const fs::path& folder) {
 
 }  // namespace
 
-fs::path writtenFile(const std::string& path) {
+void checkOutputFile(const std::string& path) {
   std::error_code code;
-  const fs::path file = behindLinks(path);
-  const fs::path folder = file.parent_path();
+  const fs::path folder = fs::path(path).parent_path();
   const fs::file_status of_folder = fs::status(folder.empty() ? "." : folder, code);
   if (of_folder.type() == fs::file_type::none) throw OutputError(path, "folder", code.message());
   if (!fs::is_directory(of_folder)) throw OutputError(path, "folder", "does not exist");
-  const fs::file_status status = fs::symlink_status(file, code);
+  const fs::file_status status = fs::symlink_status(path, code);
   if (fs::is_directory(status)) throw OutputError(path, "file", "is a folder");
-  // A rename would replace a device such as /dev/null.
+  if (fs::is_symlink(status)) throw OutputError(path, "file", "is a symbolic link");
   if (fs::exists(status) && !fs::is_regular_file(status)) throw OutputError(path, "file", "is not a regular file");
-  return file;
 }
 
 void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write) {
-  const fs::path file = writtenFile(path);
-  const std::string temporary = temporaryName(file.parent_path());
+  checkOutputFile(path);
+  const std::string temporary = temporaryName(fs::path(path).parent_path());
   std::error_code code;
   try {
     write(temporary);
-    fs::rename(temporary, file, code);
+    fs::rename(temporary, path, code);
     if (code) throw OutputError(path, "file", code.message());
   } catch (...) {
     std::error_code ignored;

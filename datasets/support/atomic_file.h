@@ -2,18 +2,18 @@
 // Files that appear whole or not at all.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 
 namespace epcc {
 
-/// The file that is written when `path` is: itself or, if it is a symbolic link, what it stands for. OutputError if
-/// that is a folder, a device or a stream, or has no folder.
-std::filesystem::path writtenFile(const std::string& path);
+/// OutputError if the path has no folder, or is there and is anything but a file: a folder, a device, a pipe, or a
+/// symbolic link, for a rename would replace it, and what it stands for may be somebody's input.
+void checkOutputFile(const std::string& path);
 
-/// Calls write(temporary_path) with a name in the folder of the file, then renames it to writtenFile(path). If `write`
-/// throws or the rename fails nothing is left behind; failures of the file system become OutputError.
+/// Calls write(temporary_path) with a name in the same folder, then renames it to `path`, which checkOutputFile() has
+/// passed. If `write` throws or the rename fails nothing is left behind; failures of the file system become
+/// OutputError.
 void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 
 /// Writes a text the same way.

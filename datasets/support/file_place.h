@@ -7,10 +7,6 @@
 
 namespace epcc {
 
-/// The path itself or, if it is a symbolic link, what it stands for in the end, there or not. Links that the kernel
-/// makes up, to the streams of a process, and links in a circle are not followed.
-std::filesystem::path behindLinks(std::filesystem::path path);
-
 /// Absolute, without links, "." and "..": the same file has the same place, whether it exists or not.
 std::filesystem::path filePlace(const std::string& path);
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
 
 namespace epcc {
@@ -13,6 +14,11 @@ void makeOutputFolder(const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder, ignored))
     throw OutputError(folder, "folder", "cannot be made" + (error ? ", " + error.message() : std::string()));
+}
+
+void makeOutputFolder(const std::string& folder, const std::vector<std::string>& files) {
+  makeOutputFolder(folder);
+  for (const std::string& file : files) checkOutputFile((std::filesystem::path(folder) / file).string());
 }
 
 }  // namespace epcc

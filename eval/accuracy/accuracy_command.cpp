@@ -82,7 +82,7 @@ int runAccuracyCommand(const CommandOptions& options, std::ostream& out, std::os
     page = readPage(options.page);
     pageWithTables(page, accuracyTables({}), options.page);
   }
-  makeOutputFolder(options.accuracy.out);
+  makeOutputFolder(options.accuracy.out, {"frames.csv", "curve.png"});
   const AccuracyResult result = measure(options.accuracy, err);
   const std::vector<NamedTable> tables = accuracyTables(result);
   writeTextFile((std::filesystem::path(options.accuracy.out) / "frames.csv").string(), csvTable(result.rows));

@@ -35,6 +35,13 @@ struct RawOptions {
   int jobs = 0;
 };
 
+/// CLI11 takes -1 for the largest number there is.
+std::string checkSeed(const std::string& text) {
+  const bool is_number =
+      !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == std::string::npos;
+  return is_number ? std::string() : "'" + text + "' is not a whole number from 0 to 10^18 - 1";
+}
+
 void setScenes(const std::string& list, ComparisonOptions& options) {
   const std::vector<std::string> known = sceneNames();
   options.scenes.clear();
@@ -81,10 +88,10 @@ void addOptions(CLI::App& app, CompareOptions& options, RawOptions& raw) {
       ->type_name("NOISE");
   app.add_option("--scenes", raw.scenes, "Scenes (a,b,c,d)")->type_name("A,B,...");
   app.add_option("--seeds", raw.seeds, "Seeds for EPCC (20)")->type_name("N")->check(CLI::Range(1, kMaxSeeds));
-  app.add_option("--slow-seeds", raw.slow_seeds, "Seeds for region growing and RANSAC (10, at most --seeds)")
+  app.add_option("--slow-seeds", raw.slow_seeds, "Seeds for region growing and RANSAC (10, or --seeds if that is less)")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxSeeds));
-  app.add_option("--first-seed", comparison.first_seed, "First seed (0)")->type_name("N");
+  app.add_option("--first-seed", comparison.first_seed, "First seed (0)")->type_name("N")->check(checkSeed);
   app.add_option("--jobs", raw.jobs, "Threads, 0 = one a core (0)")->type_name("J")->check(CLI::Range(0, 1024));
   app.add_option("--out", options.out, "Folder for the tables and pictures (results)")
       ->type_name("DIR")

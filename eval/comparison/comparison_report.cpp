@@ -122,8 +122,12 @@ std::string comparisonJson(const Comparison& comparison, const ComparisonOptions
   return document.dump(2) + "\n";
 }
 
+std::vector<std::string> comparisonFiles() {
+  return {"table4.md", "table4.csv", "table4.json", "table4.tex", "figure21.png"};
+}
+
 void writeComparison(const std::string& out, const Comparison& comparison, const ComparisonOptions& options) {
-  makeOutputFolder(out);
+  makeOutputFolder(out, comparisonFiles());
   const std::string base = (std::filesystem::path(out) / "table4").string();
   writeTextFile(base + ".md", comparisonNote(options) + "\n\n" + markdownTable(comparisonTable(comparison)));
   writeTextFile(base + ".csv", csvTable(comparisonNumbers(comparison)));

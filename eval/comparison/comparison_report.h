@@ -18,6 +18,9 @@ std::string comparisonNote(const ComparisonOptions& options);
 /// results/table4.json, version 1: see docs/research/comparison.md. Numbers the paper does not have are null.
 std::string comparisonJson(const Comparison& comparison, const ComparisonOptions& options);
 
+/// Names of the files that writeComparison() leaves.
+std::vector<std::string> comparisonFiles();
+
 /// Writes OUT/table4.md, .csv, .json, .tex and OUT/figure21.png; makes the folder. Throws OutputError.
 void writeComparison(const std::string& out, const Comparison& comparison, const ComparisonOptions& options);
 

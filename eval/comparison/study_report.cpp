@@ -113,8 +113,12 @@ ColorImage studyPicture(const Study& study, const StudyResult& result) {
   return pictureOfGrid(study, result.pictures.front());
 }
 
+std::vector<std::string> studyFiles(const std::string& study) {
+  return {"study_" + study + ".md", "study_" + study + ".csv", "study_" + study + ".png"};
+}
+
 void writeStudy(const std::string& out, const Study& study, const StudyResult& result) {
-  makeOutputFolder(out);
+  makeOutputFolder(out, studyFiles(study.name));
   const std::string base = (std::filesystem::path(out) / ("study_" + study.name)).string();
   writeTextFile(base + ".md", studyNote(study) + "\n\n" + markdownTable(studyTable(study, result)));
   writeTextFile(base + ".csv", csvTable(studyNumbers(study, result)));

@@ -18,6 +18,9 @@ Table studyNumbers(const Study& study, const StudyResult& result);
 /// The grid of variants on one frame; or, by_frames, a row a set of frames: depth, truth, and every variant.
 ColorImage studyPicture(const Study& study, const StudyResult& result);
 
+/// Names of the files that writeStudy() leaves.
+std::vector<std::string> studyFiles(const std::string& study);
+
 /// Writes OUT/study_NAME.md, .csv and .png; makes the folder. Throws OutputError.
 void writeStudy(const std::string& out, const Study& study, const StudyResult& result);
 

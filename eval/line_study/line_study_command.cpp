@@ -14,6 +14,7 @@ namespace epcc {
 int lineStudyMain(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   constexpr const char* kProgram = "epcc_line_study";
   CLI::App app("Compares methods for the lines of laser scans on rendered floor plans and prints tables.", kProgram);
+  app.footer("Exit codes: 0 done, 2 wrong usage, 4 an output could not be written.");
   app.set_version_flag("--version", versionText(kProgram));
   app.set_help_flag("-h,--help", "Print this help and exit");
   LineStudyOptions options;
@@ -24,7 +25,7 @@ int lineStudyMain(int argc, const char* const* argv, std::ostream& out, std::ost
   app.add_option("--k-max", options.parameters.k_max, "As in epcc_lines")->capture_default_str();
   app.add_option("--max-gap", options.parameters.max_gap, "As in epcc_lines")->capture_default_str();
   std::string map;
-  app.add_option("--map", map, "Picture of the lines of the first plan")->type_name("FILE.png");
+  app.add_option("--map", map, "Picture of the lines of the first plan")->type_name("FILE.png")->check(checkPath);
   const auto done = parseCommandLine(app, argc, argv, out, err, [&] {
     require(options.plans >= 1 && options.plans <= 1000, "--plans: must be 1 to 1000");
     require(options.scans >= 1 && options.scans <= 1000, "--scans: must be 1 to 1000");

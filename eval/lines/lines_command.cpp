@@ -7,12 +7,15 @@
 #include <filesystem>
 #include <ostream>
 #include <set>
+#include <utility>
 
 #include "datasets/files/laser_log.h"
 #include "datasets/files/png_io.h"
 #include "datasets/support/atomic_file.h"
+#include "datasets/support/file_place.h"
 #include "datasets/support/input_error.h"
 #include "datasets/support/output_folder.h"
+#include "datasets/support/quantile.h"
 #include "epcc_segmentation/range_noise.h"
 #include "eval/lines/line_list.h"
 #include "eval/lines/line_map.h"
@@ -23,6 +26,7 @@ namespace epcc {
 namespace {
 
 constexpr const char* kProgram = "epcc_lines";
+constexpr double kDoubtfulError = 0.25;  // m; range finders have a few centimetres
 
 /// The file's name without folder and the endings of logs.
 std::string nameOf(const std::string& log) {
@@ -35,11 +39,21 @@ std::string nameOf(const std::string& log) {
   return name;
 }
 
-std::string namesProblem(const std::vector<std::string>& logs) {
+constexpr const char* kOutputs[] = {"_lines.csv", "_scan.png", "_scan.svg", "_map.png", "_map.svg"};
+
+/// Why outputs would take the place of each other or of logs; empty if they do not.
+std::string outputProblem(const LinesOptions& options) {
   std::set<std::string> names;
-  for (const std::string& log : logs)
+  std::set<std::filesystem::path> logs;
+  for (const std::string& log : options.logs) {
     if (!names.insert(nameOf(log)).second)
       return "two logs are named " + nameOf(log) + ": their outputs would be the same";
+    logs.insert(filePlace(log));
+  }
+  for (const std::string& name : names)
+    for (const char* ending : kOutputs)
+      if (logs.count(filePlace(options.out + "/" + name + ending)) != 0)
+        return options.out + "/" + name + ending + " would overwrite a log";
   return {};
 }
 
@@ -62,7 +76,8 @@ std::size_t scanToDraw(const LaserLog& log, const LinesOptions& options, const s
                                   log.records.begin());
 }
 
-SensorModel noiseOf(const LaserLog& log, const LinesOptions& options, std::string& text) {
+/// sigma_r = a + b r: given, or measured on the log.
+RangeNoiseEstimate noiseOf(const LaserLog& log, const LinesOptions& options, std::string& text) {
   char buffer[160];
   RangeNoiseEstimate noise;
   if (options.noise) {
@@ -80,7 +95,34 @@ SensorModel noiseOf(const LaserLog& log, const LinesOptions& options, std::strin
                 : noise.windows == 0 ? "generic, for nothing straight was there to measure"
                                      : "measured");
   text = buffer;
-  return noise.model();
+  return noise;
+}
+
+std::size_t linesIn(const LogLines& lines) {
+  std::size_t count = 0;
+  for (const LaserLines& scan : lines.scans) count += scan.lines.size();
+  return count;
+}
+
+std::vector<double> rangesOf(const LaserLog& log) {
+  std::vector<double> ranges;
+  for (const LaserRecord& record : log.records)
+    for (std::size_t i = 0; i < record.scan.ranges.size(); ++i)
+      if (record.scan.hasReturn(i)) ranges.push_back(record.scan.ranges[i]);
+  return ranges;
+}
+
+/// What makes the lines doubtful although nothing failed; empty if nothing does.
+std::string doubtsAbout(const LaserLog& log, const LogLines& lines, const RangeNoiseEstimate& noise, bool is_given) {
+  std::vector<double> ranges = rangesOf(log);
+  if (ranges.empty()) return "no beam has a return: are the ranges in metres?";
+  const double error = noise.a + noise.b * median(std::move(ranges));
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "noise: the measured error is %.2f m, more than that of a range finder: are the ranges in metres?",
+                error);
+  if (!is_given && noise.windows > 0 && error >= kDoubtfulError) return text;
+  return linesIn(lines) == 0 ? "no line was found: are the ranges in metres and the angles in radians?" : "";
 }
 
 void writeMap(const std::string& path, const LineMap& map) {
@@ -89,18 +131,17 @@ void writeMap(const std::string& path, const LineMap& map) {
 }
 
 std::string summary(const std::string& name, const LaserLog& log, const LogLines& lines, const std::string& noise) {
-  std::size_t returns = 0, count = 0, taken = 0;
+  std::size_t returns = 0, taken = 0;
+  const std::size_t count = linesIn(lines);
   for (const LaserRecord& record : log.records) returns += countReturns(record.scan);
-  for (const LaserLines& scan : lines.scans) {
-    count += scan.lines.size();
+  for (const LaserLines& scan : lines.scans)
     for (const LaserLine& line : scan.lines) taken += static_cast<std::size_t>(line.points);
-  }
   const auto scans = static_cast<double>(log.records.size());
   char text[400];
   std::snprintf(text, sizeof text,
-                "%s: %zu %s, %zu returns, %s\n  %zu lines, %.1f a scan, with %.1f %% of the returns\n", name.c_str(),
-                log.records.size(), log.records.size() == 1 ? "scan" : "scans", returns, noise.c_str(), count,
-                static_cast<double>(count) / scans,
+                "%s: %zu %s, %zu returns, %s\n  %zu lines, %.1f a scan, with %.1f %% of the returns\n",
+                printable(name).c_str(), log.records.size(), log.records.size() == 1 ? "scan" : "scans", returns,
+                noise.c_str(), count, static_cast<double>(count) / scans,
                 100.0 * static_cast<double>(taken) / static_cast<double>(std::max<std::size_t>(1, returns)));
   return text;
 }
@@ -116,8 +157,10 @@ int doLog(const std::string& path, const LinesOptions& options, std::ostream& ou
 
   const std::size_t drawn = scanToDraw(log, options, path);
   std::string noise_text;
-  const SensorModel noise = noiseOf(log, options, noise_text);
-  const LogLines lines = findLines(log, noise, options.parameters, threadsFor(options.jobs));
+  const RangeNoiseEstimate noise = noiseOf(log, options, noise_text);
+  const LogLines lines = findLines(log, noise.model(), options.parameters, threadsFor(options.jobs));
+  const std::string doubts = doubtsAbout(log, lines, noise, options.noise.has_value());
+  if (!doubts.empty()) err << kProgram << ": " << printable(path) << ": " << doubts << '\n';
 
   const std::string name = nameOf(path), start = options.out + "/" + name;
   writeTextFile(start + "_lines.csv", lineListCsv(log, lines));
@@ -142,7 +185,7 @@ int linesMain(int argc, const char* const* argv, std::ostream& out, std::ostream
   LinesOptions options;
   if (const auto done = parseLinesOptions(argc, argv, options, out, err)) return *done;
   return runProgram(kProgram, out, err, [&]() -> int {
-    const std::string misuse = namesProblem(options.logs);
+    const std::string misuse = outputProblem(options);
     if (!misuse.empty()) return reportProblem(kProgram, err, misuse, kExitUsage);
     makeOutputFolder(options.out);
     int code = kExitDone;

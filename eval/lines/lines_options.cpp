@@ -33,7 +33,8 @@ std::string setNoise(const std::string& text, LinesOptions& options) {
   if (!(*a >= 0.0 && *b >= 0.0 && std::isfinite(*a + *b))) return "--noise: A and B must not be negative";
   if (*a + *b == 0.0) return "--noise: A and B must not both be zero";
   options.noise = SensorModel::polynomial(0.0, *b, *a);
-  return {};
+  const std::string problem = options.noise->validate();
+  return problem.empty() ? problem : "--noise: " + problem;
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ std::optional<int> parseLinesOptions(int argc, const char* const* argv, LinesOpt
   app.set_help_flag("-h,--help", "Print this help and exit");
   std::string noise = "auto";
   LaserLineParameters& p = options.parameters;
-  app.add_option("LOG", options.logs, "Logs of scans")->required();
+  app.add_option("LOG", options.logs, "Logs of scans")->required()->check(checkPath);
   app.add_option("--out", options.out, "Folder of the outputs")->required()->type_name("DIR");
   app.add_option("--noise", noise, "sigma_r = A + B r in metres, or auto: measured on the log (auto)")
       ->type_name("A,B|auto");

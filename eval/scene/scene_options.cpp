@@ -167,7 +167,7 @@ void addOptions(CLI::App& app, RawOptions& raw, SceneCommandOptions& options) {
                      ", or a trajectory as TUM's, which is moved to begin at the scene's camera; frames get their pose "
                      "and timestamp, and the folder groundtruth.txt")
       ->type_name("NAME|FILE.txt");
-  app.add_option("--frames", raw.frames, "of the path (300, or all of FILE.txt)")
+  app.add_option("--frames", raw.frames, "of the path (300, or all of FILE.txt, which may have fewer)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--rate", raw.rate, "frames a second (30)")->type_name("HZ")->check(within(0.01, 10000.0));

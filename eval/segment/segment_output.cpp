@@ -105,7 +105,7 @@ std::string checkOutputs(const SegmentOptions& options, const std::vector<Segmen
 }
 
 void refuseSpecialFiles(const OutputPaths& paths) {
-  for (const std::string& path : paths.all()) writtenFile(path);
+  for (const std::string& path : paths.all()) checkOutputFile(path);
 }
 
 void writeOutputs(const OutputPaths& paths, const LabelledFrame& input, const PlaneSegmentation& result,

@@ -32,8 +32,7 @@ OutputPaths outputPaths(const SegmentOptions& options, const SegmentInput& input
 /// Empty if the outputs endanger neither each other nor any input, else what is wrong in words.
 std::string checkOutputs(const SegmentOptions& options, const std::vector<SegmentInput>& inputs);
 
-/// A finished file takes its name by renaming, which would replace a device such as /dev/null by a file: throws
-/// OutputError where one of the paths is no regular file.
+/// Before any of them is written: throws OutputError where one of the paths cannot be.
 void refuseSpecialFiles(const OutputPaths& paths);
 
 /// How surfaces are made and written.

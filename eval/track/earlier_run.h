@@ -16,8 +16,7 @@ std::string foreignPicture(const std::string& folder, const std::vector<std::str
 /// Paths of the files that speak of a whole run.
 std::vector<std::string> filesOfRun(const std::string& folder);
 
-/// Removes the pictures of these frames, and the files that speak of a whole run. Links stay: what they stand for is
-/// written.
+/// Removes the pictures of these frames, and the files that speak of a whole run.
 void removeEarlierRun(const std::string& folder, const std::vector<std::string>& frames);
 
 }  // namespace epcc

@@ -62,7 +62,7 @@ int trackMain(int argc, const char* const* argv, std::ostream& out, std::ostream
     if (misuse.empty()) misuse = outputProblem(options, input);
     if (!misuse.empty()) return reportProblem(kProgram, err, misuse, kExitUsage);
     const FolderLock lock(options.out, kProgram);
-    for (const std::string& file : filesOfRun(options.out)) writtenFile(file);  // before hours of work
+    for (const std::string& file : filesOfRun(options.out)) checkOutputFile(file);  // before hours of work
     const TrackResult result = runTracker(options, input, err);
     if (result.doubtful > 0)
       err << kProgram << ": " << doubtfulText(result.doubtful, result.first_doubtful, result.first_doubt) << '\n';

@@ -100,6 +100,34 @@ TEST_F(LaserLogFile, ATableAsRosPrintsIt) {
   EXPECT_FALSE(result.records[1].pose);
 }
 
+TEST_F(LaserLogFile, ATableWhoseHeadingDoesNotSayWhatIsWhatIsRefused) {
+  const std::string row = "-1,1,1,2,3\n";
+  const auto refused = [&](const std::string& heading, const std::string& words) {
+    expectDamaged(heading + "\n" + row, "line 1: " + words);
+  };
+  refused("angle_min,angle_increment,ranges0,ranges2,ranges3", "the heading has 'ranges2' out of order");
+  refused("angle_min,angle_increment,ranges1,ranges0,ranges2", "the heading has 'ranges0' out of order");
+  refused("angle_min,angle_increment,ranges0,note,ranges1", "the heading has 'ranges1' out of order");
+  refused("angle_min,angle_increment,ranges0,ranges1,ranges1", "the heading has 'ranges1' out of order");
+  refused("angle_min,angle_increment,ranges0,angle_min,note", "the heading has 'angle_min' twice");
+  EXPECT_EQ(log("%time,field.header.stamp,angle_min,angle_increment,ranges,ranges\n1,2,-1,1,3,4\n").records.size(), 1U);
+}
+
+TEST_F(LaserLogFile, ARecordThatGoesOnBehindItsEndIsDamaged) {
+  for (const std::string& message : {kFlaser, kRobotLaser, kRawLaser}) {
+    const std::string joined = message.substr(0, message.size() - 1) + " " + message;
+    const LaserLog result = log(joined + message);
+    EXPECT_EQ(result.records.size(), 1U) << message;
+    ASSERT_EQ(result.problems.size(), 1U) << message;
+    EXPECT_NE(result.problems[0].find("words follow the timestamp"), std::string::npos) << result.problems[0];
+  }
+}
+
+TEST_F(LaserLogFile, AByteOrderMarkIsNoPartOfTheFirstWord) {
+  EXPECT_EQ(log("\xEF\xBB\xBF" + kFlaser + kFlaser).records.size(), 2U);
+  EXPECT_EQ(log("\xEF\xBB\xBF" + kHeading + "7,-1,1,1,0.1,inf,1,2,3,200\n").records.size(), 1U);
+}
+
 TEST_F(LaserLogFile, ATableMayHavePosesAndScansOfAnyLength) {
   const LaserLog result = log("x,y,theta,angle_min,angle_increment,ranges\n1,2,3,0,0.1,1,2,3,4\n1,2,3,0,0.1,1\n");
   ASSERT_EQ(result.records.size(), 2U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files are written through links and never in the place of one; what processes that were killed while writing have
-// left is removed, and nothing else.
+// No file is written in the place of a link; what processes that were killed while writing have left is removed, and
+// nothing else.
 #include "datasets/support/atomic_file.h"
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 namespace epcc::test {
 namespace {
 
-class WrittenFile : public TempFolderTest {
+class OutputFile : public TempFolderTest {
  protected:
   void link(const std::string& target, const std::string& name) const {
     std::filesystem::create_symlink(target, path(name));
@@ -22,30 +22,29 @@ class WrittenFile : public TempFolderTest {
   }
 };
 
-TEST_F(WrittenFile, IsTheOneBehindALink) {
-  write("below/file", "old");
-  link("below/file", "link");
+TEST_F(OutputFile, IsNoLinkWhateverItStandsFor) {
+  write("below/file", "an input");
+  link("below/file", "file");
   link("below/none", "dangling");
-  for (const char* name : {"link", "dangling"}) {
-    writeTextFile(path(name), name);
+  link("/proc/self/fd/1", "stream");  // as /dev/stdout
+  link("circle", "circle");
+  for (const char* name : {"file", "dangling", "stream", "circle"}) {
+    refuses(name, "file", "is a symbolic link");
     EXPECT_TRUE(std::filesystem::is_symlink(path(name))) << name;
   }
-  EXPECT_EQ(read("below/file"), "link");
-  EXPECT_EQ(read("below/none"), "dangling");
-  EXPECT_EQ(names(), (std::vector<std::string>{"below", "dangling", "link"}));
-  EXPECT_EQ(names("below"), (std::vector<std::string>{"file", "none"}));
+  EXPECT_EQ(read("below/file"), "an input");
+  EXPECT_EQ(names("below"), std::vector<std::string>{"file"});
 }
 
-TEST_F(WrittenFile, IsNoStreamNoDeviceAndNoFolder) {
-  link("/proc/self/fd/1", "stream");
-  link("stream", "to_stream");
-  link("/dev/null", "device");
-  link("circle", "circle");
-  link("nowhere/file", "lost");
-  for (const char* name : {"stream", "to_stream", "device", "circle"}) refuses(name, "file", "is not a regular file");
-  refuses("lost", "folder", "does not exist");
-  refuses("", "file", "is a folder");
-  EXPECT_EQ(names(), (std::vector<std::string>{"circle", "device", "lost", "stream", "to_stream"}));
+TEST_F(OutputFile, IsInAFolderThatMayBeALink) {
+  std::filesystem::create_directory(path("below"));
+  link("below", "folder");
+  link("nowhere", "lost");
+  writeTextFile(path("folder/file"), "new");
+  EXPECT_EQ(read("below/file"), "new");
+  refuses("lost/file", "folder", "does not exist");
+  refuses("folder", "file", "is a symbolic link");
+  refuses("below", "file", "is a folder");
 }
 
 class Temporaries : public TempFolderTest {

@@ -9,6 +9,17 @@ namespace {
 
 class OutputFolder : public test::TempFolderTest {};
 
+TEST_F(OutputFolder, FilesThatCannotBeWrittenAreToldBefore) {
+  makeOutputFolder(path("a"), {"x.csv", "y.png"});
+  EXPECT_TRUE(names("a").empty());
+  std::filesystem::create_directory(path("a/y.png"));
+  test::expectError<OutputError>(
+      [&] {
+        makeOutputFolder(path("a"), {"x.csv", "y.png"});
+      },
+      path("a/y.png"), "file", "is a folder");
+}
+
 TEST_F(OutputFolder, IsMadeWithThoseAboveIt) {
   makeOutputFolder(path("a/b/c"));
   EXPECT_TRUE(std::filesystem::is_directory(path("a/b/c")));

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <sstream>
 
 #include "datasets/rendered/floor_plan.h"
@@ -106,6 +108,42 @@ TEST_F(LinesCommand, DamagedLinesAreToldAndTheRestIsDone) {
   EXPECT_TRUE(exists("out/office_lines.csv"));
 }
 
+TEST_F(LinesCommand, LogsAreNotOverwritten) {
+  const std::string log = write("out/office.log", officeLog(2));
+  for (const char* name : {"office_lines.csv", "office_map.png"}) {
+    const std::string other = write(std::string("out/") + name, officeLog(3));
+    expectFailure(run({other, log, "--out", path("out")}), "epcc_lines", 2,
+                  std::string(name) + " would overwrite a log");
+    EXPECT_EQ(bytesOf(other), officeLog(3));
+  }
+}
+
+TEST_F(LinesCommand, WhatIsDoubtfulIsToldAndNoError) {
+  const auto told = [&](const std::string& text, const std::string& words) {
+    const std::string log = write("scans.csv", text);
+    const ToolResult result = run({log, "--out", path("out")});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err.rfind("epcc_lines: " + log + ": " + words, 0), 0U) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  };
+  const auto wall = [](double unit, double step) {  // 2 m ahead, with an error of 1 cm
+    std::mt19937 random(1);
+    std::normal_distribution<double> error(0.0, 0.01);
+    std::ostringstream text;
+    text << "angle_min,angle_increment,ranges\n";
+    for (int scan = 0; scan < 20; ++scan) {
+      text << -60.0 * step << ',' << step;
+      for (int i = -60; i <= 60; ++i) text << ',' << unit * (2.0 / std::cos(0.01 * i) + error(random));
+      text << '\n';
+    }
+    return text.str();
+  };
+  told("angle_min,angle_increment,ranges\n-1,0.1,0,nan,inf\n", "no beam has a return");
+  told(wall(1000.0, 0.01), "noise: the measured error is 1");
+  told(wall(1.0, 100.0), "no line was found: are the ranges in metres and the angles in radians?");
+  EXPECT_EQ(run({write("scans.csv", wall(1.0, 0.01)), "--out", path("out")}).err, "");
+}
+
 TEST_F(LinesCommand, WrongCommandLinesAreOneLine) {
   const std::string log = write("office.log", officeLog(2));
   const auto fails = [&](std::vector<std::string> arguments, const std::string& words, int code = 2) {
@@ -119,6 +157,7 @@ TEST_F(LinesCommand, WrongCommandLinesAreOneLine) {
   fails({"--noise", "-1,0"}, "must not be negative");
   fails({"--noise", "nan,0"}, "must not be negative");
   fails({"--noise", "0,0"}, "must not both be zero");
+  fails({"--noise", "1001,0"}, "--noise: the coefficients of sigma_z must be at most 1000");
   fails({"--k-max", "0"}, "k_max: must be 0.5 to 10");
   fails({"--min-points", "2"}, "min_points: must be 5 to 1000");
   fails({"--max-gap", "-1"}, "max_gap: must be 0 to 1000 m");

@@ -96,6 +96,32 @@ TEST_F(SceneCommand, WritesASequence) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(again[i].pose.isApprox(truth[i].pose, 1e-6)) << i;
 }
 
+TEST_F(SceneCommand, ASequenceIsNotMixedWithOtherFramesNorItsPathOverwritten) {
+  const std::vector<std::string> small = {"--width", "32", "--height", "18"};
+  const auto with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), small.begin(), small.end());
+    return arguments;
+  };
+  outputOf(with({"a", "--path", "sway", "--frames", "3", "--out", path("f")}));
+  outputOf(with({"a", "--path", "sway", "--frames", "3", "--out", path("f")}));
+  const std::string truth = read("f/groundtruth.txt");
+  expectFailure(with({"a", "--path", "sway", "--frames", "2", "--out", path("f")}), 2,
+                "has the frame a_000_sway_000002, which is not of this sequence");
+  expectFailure(with({"b", "--path", "walk", "--frames", "2", "--out", path("f")}), 2, "not of this sequence");
+  expectFailure(with({"a", "--path", path("f/groundtruth.txt"), "--out", path("f")}), 2,
+                "would overwrite the file of --path");
+  EXPECT_EQ(read("f/groundtruth.txt"), truth);
+}
+
+TEST_F(SceneCommand, APathOfTooManyFramesIsRefused) {
+  for (const char* last : {"1e9", "1500000000000000000"}) {
+    const std::string file = write("long.txt", std::string("0 0 0 0 0 0 0 1\n") + last + " 0 0 0 0 0 0 1\n");
+    expectFailure({"a", "--path", file, "--out", path("f")}, 3, "long.txt: times: span more than 1000000 frames");
+    outputOf({"a", "--path", file, "--frames", "2", "--width", "32", "--height", "18", "--out", path("g")});
+    EXPECT_EQ(readTrajectory(path("g/groundtruth.txt")).size(), 2U);
+  }
+}
+
 TEST_F(SceneCommand, RefusesWrongPaths) {
   const std::string out = path("none");
   expectFailure({"a", "--path", "fly", "--out", out}, 2, "fly");
