@@ -2,8 +2,11 @@
 // Scan lines in, finished planes out: what a caller gives is checked and passed on.
 #include "epcc_segmentation/scan_line_stream.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
+#include <limits>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -121,7 +124,9 @@ bool ScanLineStream::add(std::int64_t index, double azimuth, const float* values
       state.error = order_problem;
       return false;
     }
-    state.lost += state.order.lostBefore(index);
+    // A count that is full stays so: indices that jump far may come again and again.
+    constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+    state.lost += std::min(state.order.lostBefore(index), kMost - state.lost);
     ++state.taken;
     state.order.take(index, azimuth);
     state.receive({index, azimuth, values, stride});

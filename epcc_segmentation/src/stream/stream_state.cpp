@@ -16,7 +16,7 @@ namespace {
 using Kind = StreamGeometry::Kind;
 
 constexpr std::int64_t kLongestPlane = 10000000;
-constexpr std::int64_t kLargestIndex = std::int64_t{1} << 62;
+constexpr std::int64_t kLargestIndex = (std::int64_t{1} << 62) - 1;  // two of them differ by a number that there is
 constexpr std::int64_t kLargestOfCamera = 1000000;
 
 std::string optionsProblem(const StreamOptions& options) {

@@ -77,6 +77,21 @@ TEST(StreamOrder, LateAndRepeatedColumnsAreLeftOut) {
   EXPECT_TRUE(stream.addColumn(0, depth.data())) << "after finish() any index begins";
 }
 
+TEST(StreamOrder, ACountOfLostColumnsThatIsFullStaysSo) {
+  const test::SpinningScanner scanner;
+  std::mt19937 random(1);
+  ScanLineStream stream(scanner.geometry(), given());
+  const std::int64_t largest = (std::int64_t{1} << 62) - 1;
+  for (int jump = 0; jump < 3; ++jump) {
+    for (const std::int64_t index : {-largest, largest})
+      ASSERT_TRUE(stream.addColumn(index, 0.0, scanner.ranges(0, random).data())) << stream.error();
+    EXPECT_EQ(stream.lost(), jump == 0 ? 2 * largest - 1 : std::numeric_limits<std::int64_t>::max()) << jump;
+    EXPECT_FALSE(stream.addColumn(largest + 1, 0.0, scanner.ranges(0, random).data()));
+    EXPECT_EQ(stream.status(), Status::SizeMismatch);
+    ASSERT_TRUE(stream.finish());
+  }
+}
+
 TEST(StreamOrder, OfAzimuthsCountsLostColumnsAndSeesLateOnes) {
   const test::SpinningScanner scanner;
   std::mt19937 random(1);
