@@ -76,6 +76,11 @@ std::size_t scanToDraw(const LaserLog& log, const LinesOptions& options, const s
                                   log.records.begin());
 }
 
+/// A few hundred scans, evenly spread, tell as much as all.
+std::size_t sampleStep(const LaserLog& log) {
+  return std::max<std::size_t>(1, log.records.size() / 500);
+}
+
 /// sigma_r = a + b r: given, or measured on the log.
 RangeNoiseEstimate noiseOf(const LaserLog& log, const LinesOptions& options, std::string& text) {
   char buffer[160];
@@ -85,9 +90,7 @@ RangeNoiseEstimate noiseOf(const LaserLog& log, const LinesOptions& options, std
     noise.b = options.noise->coefficients()[1];
   } else {
     std::vector<LaserScan> scans;
-    // A few hundred scans, evenly spread, tell as much as all.
-    const std::size_t step = std::max<std::size_t>(1, log.records.size() / 500);
-    for (std::size_t i = 0; i < log.records.size(); i += step) scans.push_back(log.records[i].scan);
+    for (std::size_t i = 0; i < log.records.size(); i += sampleStep(log)) scans.push_back(log.records[i].scan);
     noise = estimateRangeNoise(scans);
   }
   std::snprintf(buffer, sizeof buffer, "sigma_r = %.4f m + %.5f r, %s", noise.a, noise.b,
@@ -104,19 +107,21 @@ std::size_t linesIn(const LogLines& lines) {
   return count;
 }
 
-std::vector<double> rangesOf(const LaserLog& log) {
+double medianRange(const LaserLog& log) {
   std::vector<double> ranges;
-  for (const LaserRecord& record : log.records)
-    for (std::size_t i = 0; i < record.scan.ranges.size(); ++i)
-      if (record.scan.hasReturn(i)) ranges.push_back(record.scan.ranges[i]);
-  return ranges;
+  for (std::size_t k = 0; k < log.records.size(); k += sampleStep(log)) {
+    const LaserScan& scan = log.records[k].scan;
+    for (std::size_t i = 0; i < scan.ranges.size(); ++i)
+      if (scan.hasReturn(i)) ranges.push_back(scan.ranges[i]);
+  }
+  return ranges.empty() ? 0.0 : median(std::move(ranges));
 }
 
 /// What makes the lines doubtful although nothing failed; empty if nothing does.
 std::string doubtsAbout(const LaserLog& log, const LogLines& lines, const RangeNoiseEstimate& noise, bool is_given) {
-  std::vector<double> ranges = rangesOf(log);
-  if (ranges.empty()) return "no beam has a return: are the ranges in metres?";
-  const double error = noise.a + noise.b * median(std::move(ranges));
+  if (std::none_of(log.records.begin(), log.records.end(), [](const auto& r) { return countReturns(r.scan) > 0; }))
+    return "no beam has a return: are the ranges in metres?";
+  const double error = noise.a + noise.b * medianRange(log);
   char text[160];
   std::snprintf(text, sizeof text,
                 "noise: the measured error is %.2f m, more than that of a range finder: are the ranges in metres?",
