@@ -12,7 +12,7 @@
 namespace epcc {
 namespace {
 
-constexpr std::size_t kMostAtEnd = 4;  // words
+constexpr std::size_t kMostAtEnd = 4;  // words: two, and some room
 constexpr int kFewestNothing = 10;     // beams with the same largest range
 
 /// What is wrong with a line.
@@ -62,7 +62,7 @@ class Words {
     pose.theta = finite("the pose");
     return pose;
   }
-  /// Behind the timestamp stand a host and the logger's time; a message that begins there has lost its line's start.
+  /// Behind the timestamp stand a host and the logger's time, and no further message, which has more words than these.
   void end() const {
     if (left() > kMostAtEnd) throw Damage{std::to_string(left()) + " words follow the timestamp"};
   }

@@ -39,6 +39,7 @@ int compareMain(int argc, const char* const* argv, std::ostream& out, std::ostre
   CompareOptions options;
   if (const auto done = parseCompareOptions(argc, argv, options, out, err)) return *done;
   return runProgram("epcc_compare", out, err, [&] {
+    // What cannot be written is told before the work.
     makeOutputFolder(options.out, options.study.empty() ? comparisonFiles() : studyFiles(options.study));
     ProgressLine progress(err);
     if (options.study.empty())

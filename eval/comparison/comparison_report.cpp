@@ -127,7 +127,7 @@ std::vector<std::string> comparisonFiles() {
 }
 
 void writeComparison(const std::string& out, const Comparison& comparison, const ComparisonOptions& options) {
-  makeOutputFolder(out, comparisonFiles());
+  makeOutputFolder(out);
   const std::string base = (std::filesystem::path(out) / "table4").string();
   writeTextFile(base + ".md", comparisonNote(options) + "\n\n" + markdownTable(comparisonTable(comparison)));
   writeTextFile(base + ".csv", csvTable(comparisonNumbers(comparison)));

@@ -118,7 +118,7 @@ std::vector<std::string> studyFiles(const std::string& study) {
 }
 
 void writeStudy(const std::string& out, const Study& study, const StudyResult& result) {
-  makeOutputFolder(out, studyFiles(study.name));
+  makeOutputFolder(out);
   const std::string base = (std::filesystem::path(out) / ("study_" + study.name)).string();
   writeTextFile(base + ".md", studyNote(study) + "\n\n" + markdownTable(studyTable(study, result)));
   writeTextFile(base + ".csv", csvTable(studyNumbers(study, result)));

@@ -3,7 +3,6 @@
 #include "eval/consistency/consistency_command.h"
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <filesystem>
 #include <ostream>
 
@@ -29,21 +28,18 @@ constexpr const char* kFooter =
     "planes.png, lines.png.\n"
     "Exit codes: 0 done, 2 wrong usage, 4 an output could not be written.";
 
-constexpr std::array<const char*, 5> kFiles = {"consistency.csv", "surfaces.csv", "consistency.json", "planes.png",
-                                               "lines.png"};
-
 std::vector<ConsistencyRow> measure(int runs, std::ostream& err) {
   ProgressLine progress(err);
   return runConsistency(runs, [&](std::size_t done, std::size_t total) { progress.show(done, total); });
 }
 
 void writeAll(const std::string& folder, const std::vector<ConsistencyRow>& rows) {
-  const auto in = [&](std::size_t file) { return (std::filesystem::path(folder) / kFiles[file]).string(); };
-  writeTextFile(in(0), csvTable(consistencyTable(rows)));
-  writeTextFile(in(1), csvTable(surfacesTable(rows)));
-  writeTextFile(in(2), consistencyJson(rows));
-  writeRgb(in(3), drawPlot(consistencyChart(rows, 3)));
-  writeRgb(in(4), drawPlot(consistencyChart(rows, 2)));
+  const auto in = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
+  writeTextFile(in("consistency.csv"), csvTable(consistencyTable(rows)));
+  writeTextFile(in("surfaces.csv"), csvTable(surfacesTable(rows)));
+  writeTextFile(in("consistency.json"), consistencyJson(rows));
+  writeRgb(in("planes.png"), drawPlot(consistencyChart(rows, 3)));
+  writeRgb(in("lines.png"), drawPlot(consistencyChart(rows, 2)));
 }
 
 }  // namespace
@@ -61,7 +57,8 @@ int consistencyMain(int argc, const char* const* argv, std::ostream& out, std::o
   app.add_option("--out", folder, "Folder for files and pictures (none)")->type_name("DIR")->check(checkPath);
   if (const auto done = parseCommandLine(app, argc, argv, out, err, [] {})) return *done;
   return runProgram(kProgram, out, err, [&] {
-    if (!folder.empty()) makeOutputFolder(folder, {kFiles.begin(), kFiles.end()});
+    if (!folder.empty())
+      makeOutputFolder(folder, {"consistency.csv", "surfaces.csv", "consistency.json", "planes.png", "lines.png"});
     const auto rows = measure(runs, err);
     if (!folder.empty()) writeAll(folder, rows);
     out << textTable(consistencyTable(rows));

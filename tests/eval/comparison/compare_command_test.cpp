@@ -30,6 +30,7 @@ TEST_F(CompareCommand, UsageErrorsAreOneLine) {
       {{"--noise", "loud"}, "--noise"},
       {{"--noise", "white:nothing"}, "--noise"},
       {{"--seeds", "0"}, "--seeds"},
+      {{"--first-seed", "-1"}, "is not a whole number"},
       {{"--paper", "--default"}, "--default"},
       {{"--nonsense"}, "--nonsense"},
       {{"study", "nothing"}, "unknown study 'nothing'"},
@@ -42,6 +43,9 @@ TEST_F(CompareCommand, UsageErrorsAreOneLine) {
 TEST_F(CompareCommand, AFolderThatCannotBeMadeIsToldBeforeTheWork) {
   std::ofstream(path("file")) << "text";
   // So many seeds would take days.
+  std::filesystem::create_directories(path("results/table4.csv"));
+  expectFailure(run({"--seeds", "100000", "--out", path("results")}), "epcc_compare", 4,
+                "table4.csv: file: is a folder");
   expectFailure(run({"--seeds", "100000", "--slow-seeds", "100000", "--out", path("file")}), "epcc_compare", 4,
                 "file: folder");
 }
