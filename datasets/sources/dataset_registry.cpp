@@ -118,8 +118,12 @@ std::unique_ptr<FrameSource> openDataset(const std::string& text) {
                        joined(formatNames()) + ")");
 }
 
+std::string datasetPath(const std::string& text) {
+  return splitDatasetText(text).path;
+}
+
 std::string datasetName(const std::string& text) {
-  return folderName(splitDatasetText(text).path);
+  return folderName(datasetPath(text));
 }
 
 }  // namespace epcc

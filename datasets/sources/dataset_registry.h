@@ -33,7 +33,10 @@ bool namesFormat(const std::string& text);
 /// is a PATH. Throws InputError in one line: unknown format, nothing recognised, or what the format finds wrong.
 std::unique_ptr<FrameSource> openDataset(const std::string& text);
 
-/// Name of the data set that openDataset gives: folderName() of the path without FORMAT:.
+/// PATH of PATH or FORMAT:PATH.
+std::string datasetPath(const std::string& text);
+
+/// Name of the data set that openDataset gives: folderName() of its path.
 std::string datasetName(const std::string& text);
 
 }  // namespace epcc

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -14,6 +15,15 @@ inline std::optional<double> numberFrom(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const char* const end = word.data() + word.size();
   double value = 0.0;
+  const auto parsed = std::from_chars(word.data(), end, value);
+  if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
+  return value;
+}
+
+/// The whole number from 0 to 2^64 - 1 that the word is, in digits alone; nothing for anything else.
+inline std::optional<std::uint64_t> wholeNumberFrom(std::string_view word) {
+  const char* const end = word.data() + word.size();
+  std::uint64_t value = 0;
   const auto parsed = std::from_chars(word.data(), end, value);
   if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
   return value;

@@ -84,8 +84,8 @@ void setPredictions(const RawOptions& raw, EvalOptions& options) {
   }
 }
 
-/// Writing the labels of a method over those that are imported, or anything over the sensor model, would destroy the
-/// user's files.
+/// Writing the labels of a method over the truth or over those that are imported, or anything over the sensor model,
+/// would destroy the user's files.
 void keepInputs(const EvalOptions& options) {
   namespace fs = std::filesystem;
   if (options.out.empty()) return;
@@ -94,6 +94,9 @@ void keepInputs(const EvalOptions& options) {
     for (const Predictions& predictions : options.predictions)
       require(!isWithin(predictions.folder, target),
               "--predictions: " + predictions.folder + " would be overwritten; choose another NAME or --out");
+    for (const std::string& dataset : options.datasets)
+      require(!isWithin(datasetPath(dataset), target),
+              "DATASET: " + dataset + " would be overwritten, for " + target + " is its folder; choose another --out");
   }
   if (!isNoiseFile(options.noise)) return;
   bool is_output = isWithin(options.noise, (fs::path(options.out) / "results").string());

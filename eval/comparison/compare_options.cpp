@@ -4,12 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <ostream>
 #include <sstream>
 
 #include "datasets/rendered/scene.h"
 #include "datasets/support/input_error.h"
 #include "datasets/support/joined.h"
+#include "datasets/support/number_text.h"
 #include "eval/comparison/study_catalogue.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
@@ -33,14 +36,8 @@ struct RawOptions {
   int seeds = 0;  // 0: not given
   int slow_seeds = 0;
   int jobs = 0;
+  std::string first_seed = "0";  // CLI11 would take -1 for the largest number there is
 };
-
-/// CLI11 takes -1 for the largest number there is.
-std::string checkSeed(const std::string& text) {
-  const bool is_number =
-      !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == std::string::npos;
-  return is_number ? std::string() : "'" + text + "' is not a whole number from 0 to 10^18 - 1";
-}
 
 void setScenes(const std::string& list, ComparisonOptions& options) {
   const std::vector<std::string> known = sceneNames();
@@ -56,6 +53,15 @@ void setScenes(const std::string& list, ComparisonOptions& options) {
   require(!options.scenes.empty(), "--scenes: name at least one of " + joined(known));
 }
 
+void setFirstSeed(const std::string& text, ComparisonOptions& options) {
+  const auto first = wholeNumberFrom(text);
+  require(first.has_value(), "--first-seed: '" + text + "' is not a whole number from 0 to 2^64 - 1");
+  const auto more = static_cast<std::uint64_t>(std::max(options.seeds, options.slow_seeds) - 1);
+  require(more <= std::numeric_limits<std::uint64_t>::max() - *first,
+          "--first-seed: the last seed is larger than 2^64 - 1");
+  options.first_seed = *first;
+}
+
 void setOptions(const RawOptions& raw, bool is_study, CompareOptions& options) {
   ComparisonOptions& comparison = options.comparison;
   setScenes(raw.scenes, comparison);
@@ -69,6 +75,7 @@ void setOptions(const RawOptions& raw, bool is_study, CompareOptions& options) {
     comparison.slow_seeds = raw.slow_seeds;
   else
     comparison.slow_seeds = std::min(comparison.slow_seeds, comparison.seeds);
+  setFirstSeed(raw.first_seed, comparison);
   comparison.jobs = threadsFor(raw.jobs);
   if (!is_study) return;
   require(!raw.project_default, "--default: the studies are of the paper's mode");
@@ -91,7 +98,7 @@ void addOptions(CLI::App& app, CompareOptions& options, RawOptions& raw) {
   app.add_option("--slow-seeds", raw.slow_seeds, "Seeds for region growing and RANSAC (10, or --seeds if that is less)")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxSeeds));
-  app.add_option("--first-seed", comparison.first_seed, "First seed (0)")->type_name("N")->check(checkSeed);
+  app.add_option("--first-seed", raw.first_seed, "First seed (0)")->type_name("N");
   app.add_option("--jobs", raw.jobs, "Threads, 0 = one a core (0)")->type_name("J")->check(CLI::Range(0, 1024));
   app.add_option("--out", options.out, "Folder for the tables and pictures (results)")
       ->type_name("DIR")

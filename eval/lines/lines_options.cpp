@@ -3,6 +3,7 @@
 #include "eval/lines/lines_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -37,6 +38,14 @@ std::string setNoise(const std::string& text, LinesOptions& options) {
   return problem.empty() ? problem : "--noise: " + problem;
 }
 
+/// What is wrong with a parameter, by the name of its option: "k_max: ..." as "--k-max: ...".
+std::string asTyped(std::string problem) {
+  if (problem.empty()) return problem;
+  const auto end_of_name = std::find(problem.begin(), problem.end(), ':');
+  std::replace(problem.begin(), end_of_name, '_', '-');
+  return "--" + problem;
+}
+
 }  // namespace
 
 std::optional<int> parseLinesOptions(int argc, const char* const* argv, LinesOptions& options, std::ostream& out,
@@ -65,7 +74,7 @@ std::optional<int> parseLinesOptions(int argc, const char* const* argv, LinesOpt
     require(!options.out.empty(), "--out: the name is empty");
     std::string problem = setNoise(noise, options);
     if (problem.empty() && p.max_hidden == 0.0) p.join_hidden = false;
-    if (problem.empty()) problem = p.validate();
+    if (problem.empty()) problem = asTyped(p.validate());
     require(problem.empty(), problem);
     require(!options.max_range || *options.max_range > 0.0, "--max-range: must be positive");
     require(!options.scan || *options.scan >= 0, "--scan: must not be negative");

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <ostream>
@@ -41,9 +40,9 @@ struct RawOptions {
 };
 
 bool readNumber(const std::string& text, std::uint64_t& value) {
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end;
+  const auto number = wholeNumberFrom(text);
+  value = number.value_or(value);
+  return number.has_value();
 }
 
 std::string badNumber(const std::string& option, const std::string& text) {

@@ -76,9 +76,9 @@ std::string trackSummary(const TrackOptions& options, const TrackResult& result)
     merged += one.track.end == TrackEnd::Merged ? 1 : 0;
     clutter += one.track.end == TrackEnd::Clutter ? 1 : 0;
   }
-  std::string text =
-      line("%zu frames of %s, noise %s, %s\n", result.names.size(), options.folder.c_str(), result.sensor.c_str(),
-           result.truth.empty() || options.pose_free ? "poses found by the planes" : "poses known");
+  std::string text = line("%zu %s of %s, noise %s, %s\n", result.names.size(),
+                          result.names.size() == 1 ? "frame" : "frames", options.folder.c_str(), result.sensor.c_str(),
+                          result.truth.empty() || options.pose_free ? "poses found by the planes" : "poses known");
   text += line(
       "%zu tracks: %ld go on, %ld became part of another, %ld turned out to be clutter; %.2f ms a frame (median)\n",
       result.tracks.size(), going_on, merged, clutter, 1e-3 * result.microseconds.median().value_or(0.0));

@@ -22,5 +22,13 @@ TEST(NumberText, EverythingElseIsNone) {
     EXPECT_FALSE(numberFrom(word).has_value()) << word;
 }
 
+TEST(NumberText, WholeNumbersAreDigitsAlone) {
+  EXPECT_EQ(wholeNumberFrom("0"), 0U);
+  EXPECT_EQ(wholeNumberFrom("007"), 7U);
+  EXPECT_EQ(wholeNumberFrom("18446744073709551615"), 18446744073709551615U);
+  for (const char* word : {"", "-1", "+1", " 1", "1 ", "1.0", "1e3", "18446744073709551616"})
+    EXPECT_FALSE(wholeNumberFrom(word).has_value()) << word;
+}
+
 }  // namespace
 }  // namespace epcc

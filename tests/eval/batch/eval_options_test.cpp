@@ -119,6 +119,11 @@ TEST_F(EvalUsage, OutputsInThePlaceOfInputsAreRefused) {
   refused({"--predictions", "mine=o/labels/omps"}, "o/labels/omps");
   refused({"--predictions", "mine=o/labels/omps/frames"}, "o/labels/omps/frames");
   refused({"--predictions", "mine=p", "yours=./o/labels/mine"}, "./o/labels/mine");
+  std::filesystem::create_directories(path("o/labels"));
+  std::filesystem::create_directory_symlink(path("frames"), path("o/labels/omps"));
+  refused({}, "DATASET: frames");
+  expectFailure({"native:frames/.", "--methods", "omps", "--out", "o"}, 2, "native:frames/. would be overwritten");
+  std::filesystem::remove(path("o/labels/omps"));
   for (const char* file : {"o/summary.json", "o/run.json", "o/results/frames/000000/000.json"}) {
     write(file, R"({"noise": "0.01,0,1"})");
     refused({"--noise", file}, std::string("--noise: ") + file);

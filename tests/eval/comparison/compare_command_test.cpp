@@ -31,6 +31,8 @@ TEST_F(CompareCommand, UsageErrorsAreOneLine) {
       {{"--noise", "white:nothing"}, "--noise"},
       {{"--seeds", "0"}, "--seeds"},
       {{"--first-seed", "-1"}, "is not a whole number"},
+      {{"--first-seed", "18446744073709551616"}, "is not a whole number"},
+      {{"--first-seed", "18446744073709551615"}, "the last seed is larger"},
       {{"--paper", "--default"}, "--default"},
       {{"--nonsense"}, "--nonsense"},
       {{"study", "nothing"}, "unknown study 'nothing'"},

@@ -158,9 +158,9 @@ TEST_F(LinesCommand, WrongCommandLinesAreOneLine) {
   fails({"--noise", "nan,0"}, "must not be negative");
   fails({"--noise", "0,0"}, "must not both be zero");
   fails({"--noise", "1001,0"}, "--noise: the coefficients of sigma_z must be at most 1000");
-  fails({"--k-max", "0"}, "k_max: must be 0.5 to 10");
-  fails({"--min-points", "2"}, "min_points: must be 5 to 1000");
-  fails({"--max-gap", "-1"}, "max_gap: must be 0 to 1000 m");
+  fails({"--k-max", "0"}, "epcc_lines: --k-max: must be 0.5 to 10");
+  fails({"--min-points", "2"}, "--min-points: must be 5 to 1000");
+  fails({"--max-gap", "-1"}, "--max-gap: must be 0 to 1000 m");
   fails({"--max-range", "0"}, "--max-range: must be positive");
   fails({"--scan", "-1"}, "--scan: must not be negative");
   fails({"--scan", "2"}, "there are 2 scans, from 0", 3);
