@@ -35,7 +35,7 @@ function(epcc_set_options target)
 endfunction()
 
 # epcc_keep_kernels_apart(TARGET): a kernel's source includes itself, once for each vector unit; a unity build
-# (CMAKE_UNITY_BUILD), as the sanitizers' presets have it, leaves such sources alone.
+# (CMAKE_UNITY_BUILD), as the presets have it, leaves such sources alone.
 function(epcc_keep_kernels_apart target)
   get_target_property(sources ${target} SOURCES)
   foreach(source ${sources})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Label images of other programs, whatever their integers are.
+// Arrays of other programs: label images, whatever their integers are, and arrays with a mask.
 #include "arrays.h"
 
 #include "errors.h"
@@ -8,11 +8,14 @@ namespace py = pybind11;
 
 namespace epcc::python {
 
+void refuseMasked(const py::array& array, const std::string& way_out) {
+  if (py::hasattr(array, "mask")) throwTypeError("a masked array is not looked at: fill it, array.filled(0)" + way_out);
+}
+
 py::array_t<std::int32_t> labelImage(const py::array& labels) {
   if (labels.ndim() != 2) throwStatus(Status::SizeMismatch, "a label image is H x W, not " + shapeText(labels));
   const char kind = labels.dtype().kind();
-  if (kind != 'i' && kind != 'u')
-    throwTypeError("a label image is of integers, not " + std::string(py::str(labels.dtype())));
+  if (kind != 'i' && kind != 'u') throwTypeError("a label image is of integers, not " + typeText(labels));
   const auto rows = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>::ensure(labels);
   if (!rows) throw py::error_already_set();
   return rows;

@@ -32,6 +32,14 @@ inline std::string shapeText(const pybind11::array& array) {
   return pybind11::str(array.attr("shape"));
 }
 
+/// The type of its numbers, "float64".
+inline std::string typeText(const pybind11::array& array) {
+  return pybind11::str(array.dtype());
+}
+
+/// TypeError for a numpy.ma array, whose mask would be passed over; `way_out` says what else there is to do.
+void refuseMasked(const pybind11::array& array, const std::string& way_out = "");
+
 /// A label image of any program, H x W integers, in rows as int32: the same array where it is that already, else a
 /// copy. Throws epcc.InputError for another shape and TypeError for numbers that are no integers.
 pybind11::array_t<std::int32_t> labelImage(const pybind11::array& labels);

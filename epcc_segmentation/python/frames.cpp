@@ -16,6 +16,7 @@ namespace epcc::python {
 
 namespace {
 
+constexpr const char* kOrMasked = ", or use DepthFrame.masked()";
 constexpr py::ssize_t kMostPixels = std::numeric_limits<int>::max();
 
 /// Rows and columns of an array of pixels as the library's ints.
@@ -24,16 +25,6 @@ std::pair<int, int> sizeOf(const py::array& array, const char* what) {
   if (array.shape(0) > kMostPixels || array.shape(1) > kMostPixels)
     throwStatus(Status::SizeMismatch, std::string(what) + " is too large");
   return {static_cast<int>(array.shape(0)), static_cast<int>(array.shape(1))};
-}
-
-std::string typeName(const py::array& array) {
-  return py::str(array.dtype());
-}
-
-/// Of a masked array the library would see what the mask hides.
-void refuseMasked(const py::array& array) {
-  if (py::hasattr(array, "mask"))
-    throwTypeError("a masked array is not looked at: fill it, array.filled(0), or use DepthFrame.masked()");
 }
 
 template <typename T>
@@ -59,20 +50,20 @@ ArrayFrame viewedDepth(const py::array& depth, const PinholeCamera& camera, std:
 
 ArrayFrame depthFrame(const py::array& depth, const PinholeCamera& camera, std::optional<double> depth_scale,
                       const DepthOptions& options) {
-  refuseMasked(depth);
+  refuseMasked(depth, kOrMasked);
   if (depth.ndim() != 2) throwStatus(Status::SizeMismatch, "a depth image is H x W, not " + shapeText(depth));
   throwProblem(Status::InvalidCamera, camera.validate());
   if (py::isinstance<py::array_t<std::uint16_t>>(depth))
     return viewedDepth<std::uint16_t>(depth, camera, depth_scale, options);
   if (py::isinstance<py::array_t<float>>(depth)) return viewedDepth<float>(depth, camera, depth_scale, options);
-  throwTypeError("a depth image is uint16 or float32, not " + typeName(depth));
+  throwTypeError("a depth image is uint16 or float32, not " + typeText(depth));
 }
 
 CloudArray cloudArray(const py::array& points) {
-  refuseMasked(points);
+  refuseMasked(points, kOrMasked);
   if (points.ndim() != 3 || points.shape(2) != 3)
     throwStatus(Status::SizeMismatch, "a cloud is H x W x 3, not " + shapeText(points));
-  if (!py::isinstance<py::array_t<float>>(points)) throwTypeError("a cloud is float32, not " + typeName(points));
+  if (!py::isinstance<py::array_t<float>>(points)) throwTypeError("a cloud is float32, not " + typeText(points));
   const auto [height, width] = sizeOf(points, "the cloud");
   constexpr auto kFloat = static_cast<py::ssize_t>(sizeof(float));
   const py::ssize_t step = width > 1 ? points.strides(1) : height > 1 ? points.strides(0) : 3 * kFloat;
@@ -97,7 +88,7 @@ ArrayFrame maskedFrame(const ArrayFrame& frame, const py::array& mask) {
   if (mask.ndim() != 2 || mask.shape(0) != frame.frame.height() || mask.shape(1) != frame.frame.width())
     throwStatus(Status::SizeMismatch, "the mask's shape " + shapeText(mask) + " is not that of the frame");
   if (mask.itemsize() != 1 || !(mask.dtype().kind() == 'b' || mask.dtype().kind() == 'u'))
-    throwTypeError("a mask is bool or uint8, not " + typeName(mask));
+    throwTypeError("a mask is bool or uint8, not " + typeText(mask));
   if (!(mask.flags() & py::array::c_style))
     throwStatus(Status::SizeMismatch, "the mask is not contiguous: pass numpy.ascontiguousarray(mask)");
   py::list arrays;

@@ -28,10 +28,6 @@ std::ptrdiff_t strideOf(const py::array& array) {
   return stride / kSize;
 }
 
-void refuseMasked(const py::array& array) {
-  if (py::hasattr(array, "mask")) throwTypeError("a masked array is not looked at: fill it, array.filled(0)");
-}
-
 void checkSize(const StreamGeometry& geometry, const py::array& array) {
   if (array.shape(0) == geometry.height()) return;
   throwStatus(Status::SizeMismatch, "a scan line of this stream has " + std::to_string(geometry.height()) +
@@ -86,7 +82,7 @@ bool LineStream::addValues(Kind kind, const py::array& values, std::optional<dou
   if (py::isinstance<py::array_t<float>>(values))
     return taken(add(static_cast<const float*>(values.data()), strideOf<float>(values),
                      depth_scale.value_or(DepthView<float>().scale)));
-  throwTypeError("the values of a scan line are uint16 or float32, not " + std::string(py::str(values.dtype())));
+  throwTypeError("the values of a scan line are uint16 or float32, not " + typeText(values));
 }
 
 bool LineStream::addColumn(std::int64_t index, const py::array& values, std::optional<double> azimuth,
@@ -117,8 +113,7 @@ bool LineStream::addPoints(std::int64_t index, const py::array& points) {
   refuseMasked(points);
   if (points.ndim() != 2 || points.shape(1) != 3)
     throwStatus(Status::SizeMismatch, "the points of a scan line are N x 3, not " + shapeText(points));
-  if (!py::isinstance<py::array_t<float>>(points))
-    throwTypeError("points are float32, not " + std::string(py::str(points.dtype())));
+  if (!py::isinstance<py::array_t<float>>(points)) throwTypeError("points are float32, not " + typeText(points));
   checkKind(geometry_, Kind::Points);
   checkSize(geometry_, points);
   const std::ptrdiff_t stride = points.shape(0) > 1 ? strideOf<float>(points) : 3;
