@@ -41,7 +41,8 @@ inline std::string typeText(const pybind11::array& array) {
 void refuseMasked(const pybind11::array& array, const std::string& way_out = "");
 
 /// A label image of any program, H x W integers, in rows as int32: the same array where it is that already, else a
-/// copy. Throws epcc.InputError for another shape and TypeError for numbers that are no integers.
+/// copy. Throws epcc.InputError for another shape or labels beyond 32 bits and TypeError for numbers that are no
+/// integers.
 pybind11::array_t<std::int32_t> labelImage(const pybind11::array& labels);
 
 }  // namespace epcc::python

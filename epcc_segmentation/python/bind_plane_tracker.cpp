@@ -200,7 +200,7 @@ Other Python threads go on while it works; threads that share a tracker take tur
 frame, camera, depth_scale: as segment().
 pose: 4 x 4, camera to map, if it is known; None: the camera goes on as it did, and the planes say the rest. Without poses
   the first camera is the map's frame.
-time: seconds.
+time: seconds, not before that of the last frame.
 
 InputError, and it is as if the frame had not been there, for what cannot be used.)")
       .def_property_readonly("tracks", &Tracker::tracks,

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cmath>
 
 #include "bindings.h"
 #include "epcc_segmentation/sensor_model.h"
@@ -36,6 +37,12 @@ SensorModel preset(const std::string& name) {
 SensorModel usable(const SensorModel& model) {
   throwProblem(Status::InvalidParameters, model.validate());
   return model;
+}
+
+/// The library's formulas are for depths that were measured, and have a smallest value.
+template <double (SensorModel::*formula)(double) const>
+double whereKnown(const SensorModel* model, double z) {
+  return std::isnan(z) ? z : (model->*formula)(z);
 }
 
 py::tuple values(const SensorModel& model) {
@@ -86,10 +93,11 @@ given, it is measured on the frames. InputError for values that cannot be used.)
                   R"(Reads "PRESET", "A,B,L", "A,B,L,C" or "poly:K1,K2,K3" (metres, 1/m, pixels).
 
 The form of the command line's --noise. InputError, with what is wrong in words, for any other text.)")
-      .def("sigma_z", py::vectorize(&SensorModel::sigmaZ), "z"_a,
-           "Standard deviation in metres of depths of z metres, a number or an array; never below a micrometre.")
-      .def("variance_z", py::vectorize(&SensorModel::varianceZ), "z"_a, "sigma_z squared, m^2.")
-      .def("sigma_inverse_depth", py::vectorize(&SensorModel::sigmaInverseDepth), "z"_a,
+      .def("sigma_z", py::vectorize(&whereKnown<&SensorModel::sigmaZ>), "z"_a,
+           "Standard deviation in metres of depths of z metres, a number or an array; never below a micrometre, NaN of "
+           "NaN.")
+      .def("variance_z", py::vectorize(&whereKnown<&SensorModel::varianceZ>), "z"_a, "sigma_z squared, m^2.")
+      .def("sigma_inverse_depth", py::vectorize(&whereKnown<&SensorModel::sigmaInverseDepth>), "z"_a,
            "Standard deviation of the inverse depth, sigma_z / z^2, in 1/m.")
       .def_property_readonly("is_polynomial", &SensorModel::isPolynomial, "True for the form of Eq. 22.")
       .def_property_readonly(

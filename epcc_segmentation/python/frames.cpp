@@ -39,11 +39,11 @@ ArrayFrame viewedDepth(const py::array& depth, const PinholeCamera& camera, std:
     throwStatus(Status::SizeMismatch, "the depth image's row stride, in bytes, is less than a row");
   DepthView<T> view{static_cast<const T*>(depth.data()), width, height, height > 1 ? depth.strides(0) : 0};
   if (depth_scale) view.scale = *depth_scale;
-  const DepthFrame frame = DepthFrame::fromDepth(view, camera);
+  const DepthFrame frame = DepthFrame::fromDepth(view, camera).readAs(options);
   if (frame.empty()) throwStatus(frame.status(), frame.problem());
   py::list arrays;
   arrays.append(depth);
-  return {frame.readAs(options), arrays, nullptr};
+  return {frame, arrays, nullptr};
 }
 
 }  // namespace

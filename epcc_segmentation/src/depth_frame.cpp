@@ -49,8 +49,8 @@ DepthFrame DepthFrame::ofView(const DepthView<T>& depth, const PinholeCamera& ca
   const std::ptrdiff_t stride = depth.row_stride == 0 ? row_bytes : depth.row_stride;
   if (std::abs(stride) < row_bytes)
     return unusable(Status::SizeMismatch, "the depth image's row stride, in bytes, is less than a row");
-  if (!(depth.scale > 0.0) || !std::isfinite(depth.scale))
-    return unusable(Status::InvalidCamera, "the depth image's scale must be positive");
+  if (!(depth.scale > 0.0 && depth.scale <= kMaxDepthScale))
+    return unusable(Status::InvalidCamera, "the depth image's scale must be positive, at most 1000 m a unit");
   DepthFrame frame;
   frame.setSize(depth.width, depth.height);
   frame.camera_ = camera;
@@ -109,6 +109,8 @@ DepthFrame DepthFrame::fromPoints(const float* xyz, std::size_t stride, int widt
 }
 
 DepthFrame DepthFrame::readAs(const DepthOptions& options) const {
+  if (depth_ != nullptr && (!(options.min_depth >= 0.0) || !(options.max_depth > options.min_depth)))
+    return unusable(Status::InvalidParameters, "the depths must be 0 <= min_depth < max_depth");
   DepthFrame frame = *this;
   frame.options_ = options;
   frame.has_options_ = depth_ != nullptr;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "close_labels.h"
 #include "geometry/sensor_cloud.h"
 #include "label_margin.h"
 #include "label_table.h"
@@ -164,21 +165,20 @@ void PlaneFitter::renumber(int threads, std::vector<std::int32_t>& labels) const
 }
 
 bool fitPlanes(const DepthFrame& frame, const SensorModel& sensor, int plane_count, PlaneSegmentation& segmentation) {
-  if (frame.geometry() != nullptr) {
-    const auto size = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
-    segmentation.planes.clear();
-    if (plane_count < 0 || segmentation.labels.size() != size) return false;
-    SensorCloud cloud;
-    const DepthFrame own = cloud.of(frame, 1);
-    PlaneSegmentation in_sensor_frame;
-    cloud.takeLabels(segmentation.labels, in_sensor_frame.labels);
-    PlaneFitter().fit(own, sensor, plane_count, FitSamples(), 1, in_sensor_frame);
-    cloud.giveBack(in_sensor_frame);
-    segmentation.labels.swap(in_sensor_frame.labels);
-    segmentation.planes.swap(in_sensor_frame.planes);
-    return true;
-  }
-  return PlaneFitter().fit(frame, sensor, plane_count, FitSamples(), 1, segmentation);
+  const auto size = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
+  segmentation.planes.clear();
+  if (plane_count < 0 || segmentation.labels.size() != size) return false;
+  const int count = closeLabels(plane_count, segmentation.labels);  // each takes kilobytes for its sums
+  if (frame.geometry() == nullptr) return PlaneFitter().fit(frame, sensor, count, FitSamples(), 1, segmentation);
+  SensorCloud cloud;
+  const DepthFrame own = cloud.of(frame, 1);
+  PlaneSegmentation in_sensor_frame;
+  cloud.takeLabels(segmentation.labels, in_sensor_frame.labels);
+  PlaneFitter().fit(own, sensor, count, FitSamples(), 1, in_sensor_frame);
+  cloud.giveBack(in_sensor_frame);
+  segmentation.labels.swap(in_sensor_frame.labels);
+  segmentation.planes.swap(in_sensor_frame.planes);
+  return true;
 }
 
 }  // namespace epcc

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "tests/support/rendered_room.h"
@@ -52,6 +53,21 @@ TEST(DepthOptions, TheLastIntegerIsNoDepth) {
       EXPECT_EQ(frame.point(row, column, p), is_depth);
       EXPECT_EQ(depth[static_cast<std::size_t>(column)] > 0.0f, is_depth);
     }
+  }
+}
+
+TEST(DepthOptions, ARangeOfNoDepthIsRefused) {
+  const std::vector<float> depth = {1.0f, 2.0f};
+  const auto frame = DepthFrame::fromDepth(depth.data(), {2, 1, 80, 80, 1, 0});
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [low, high] : {std::pair(5.0, 1.0), {1.0, 1.0}, {-1.0, 1.0}, {0.0, kNone}, {kNone, 1.0}}) {
+    DepthOptions options;
+    options.min_depth = low;
+    options.max_depth = high;
+    const auto refused = frame.readAs(options);
+    EXPECT_TRUE(refused.empty());
+    EXPECT_EQ(refused.status(), epcc::Status::InvalidParameters);
+    EXPECT_EQ(refused.problem(), "the depths must be 0 <= min_depth < max_depth");
   }
 }
 

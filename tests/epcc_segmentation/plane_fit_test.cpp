@@ -50,6 +50,18 @@ TEST(PlaneFit, LabelsWithoutPixelsDisappear) {
   EXPECT_EQ(*std::max_element(result.labels.begin(), result.labels.end()), 3);
 }
 
+TEST(PlaneFit, MemoryIsForThePixelsHoweverLargeTheLabelsAre) {
+  auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
+  const auto usual = fitted(room, *SensorModel::preset("d435i"), 3);
+  constexpr std::int32_t kLargest = std::numeric_limits<std::int32_t>::max();
+  for (auto& label : room.labels) label = kLargest - 3 + label;
+  const auto result = fitted(room, *SensorModel::preset("d435i"), kLargest);
+  EXPECT_EQ(result.labels, usual.labels);
+  ASSERT_EQ(result.planes.size(), usual.planes.size());
+  for (std::size_t i = 0; i < usual.planes.size(); ++i)
+    EXPECT_EQ(result.planes[i].coefficients, usual.planes[i].coefficients);
+}
+
 TEST(PlaneFit, OtherLabelsThanThePlanesCountAsNone) {
   auto room = epcc::test::renderRoom(epcc::test::cornerPlanes(), epcc::test::testCamera());
   const auto usual = fitted(room, *SensorModel::preset("d435i"), 3);

@@ -118,8 +118,26 @@ def test_no_memory_for_a_frame_is_an_error_that_the_extractor_survives():
 
 
 def test_a_scale_that_is_none(camera):
-    for scale in (0.0, -1.0, numpy.nan, numpy.inf):
-        assert str(raised(epcc.segment, IMAGE, camera, depth_scale=scale)) == "the depth image's scale must be positive"
+    for scale in (0.0, -1.0, numpy.nan, numpy.inf, 1000.5):
+        error = str(raised(epcc.segment, IMAGE, camera, depth_scale=scale))
+        assert error == "the depth image's scale must be positive, at most 1000 m a unit"
+
+
+def test_a_range_that_is_none(camera):
+    for low, high in ((5.0, 1.0), (-1.0, 1.0), (0.0, numpy.nan), (numpy.nan, 1.0)):
+        error = raised(epcc.DepthFrame.from_depth, IMAGE, camera, min_depth=low, max_depth=high)
+        assert str(error) == "the depths must be 0 <= min_depth < max_depth"
+
+
+def test_labels_beyond_32_bits(camera):
+    frame = epcc.DepthFrame.from_depth(IMAGE, camera)
+    for label, kind in ((2**32 + 1, numpy.int64), (2**31, numpy.uint32), (-(2**40), numpy.int64), (2**63, numpy.uint64)):
+        labels = numpy.ones(IMAGE.shape, kind)
+        assert len(epcc.fit_planes(frame, "realsense", labels).planes) == 1
+        labels[60:] = numpy.array(label, kind)
+        error = raised(epcc.fit_planes, frame, "realsense", labels)
+        assert str(error) == "a label must fit in 32 bits, from -2^31 to 2^31 - 1"
+        assert str(raised(epcc.trace_contours, labels, 1)) == str(error)
 
 
 def test_parameters_that_do_not_fit_together(camera):

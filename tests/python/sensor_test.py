@@ -15,6 +15,8 @@ def test_models_in_numbers():
     assert axial.sigma_z(2.0) == pytest.approx(math.hypot(0.001, 0.012))
     assert axial.variance_z(2.0) == pytest.approx(axial.sigma_z(2.0) ** 2)
     assert axial.sigma_inverse_depth(2.0) == pytest.approx(axial.sigma_z(2.0) / 4)
+    for of_depth in (axial.sigma_z, axial.variance_z, axial.sigma_inverse_depth):
+        assert numpy.isnan(of_depth(math.nan))
     assert axial.coefficients == (0.001, 0.003, 0.0) and not axial.is_polynomial and axial.correlation_length == 2.0
     assert axial.pixels_per_sample == pytest.approx(8 * math.pi) and axial.pixels_per_line_sample == 5.0
     assert axial.description == "axial a=0.001 m b=0.003 1/m l=2 px"

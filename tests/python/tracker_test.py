@@ -77,9 +77,12 @@ def test_what_cannot_be_used_is_refused_and_the_next_frame_taken(camera, depth):
         tracker.track(depth, camera, pose="here")
     with pytest.raises(epcc.InputError, match="time is not finite"):
         tracker.track(depth, camera, time=float("nan"))
+    tracker.track(depth, camera, time=5.0)
+    with pytest.raises(epcc.InputError, match="time is before that of the last frame"):
+        tracker.track(depth, camera, time=1.0)
     with pytest.raises(epcc.InputError, match="confirm_frames must be from 1 to 1000"):
         epcc.PlaneTracker(confirm_frames=0)
-    assert len(tracker.track(depth, camera).segmentation.planes) == 3
+    assert len(tracker.track(depth, camera, time=5.0).segmentation.planes) == 3
 
 
 def test_clouds_in_other_units_and_frames_have_labels_that_last(camera, cloud):

@@ -57,7 +57,8 @@ class EPCC_CORE_EXPORT DepthFrame {
   static DepthFrame fromPoints(const float* xyz, std::size_t stride, int width, int height,
                                const CloudGeometry& geometry);
 
-  /// The depth image read in another way; of a cloud CloudOptions say it.
+  /// The depth image read in another way; of a cloud CloudOptions say it. Unusable (InvalidParameters) unless
+  /// 0 <= min_depth < max_depth.
   DepthFrame readAs(const DepthOptions& options) const;
   /// Pixels with mask[row * width + column] == 0 count as invalid; nullptr: none.
   DepthFrame masked(const std::uint8_t* mask) const;

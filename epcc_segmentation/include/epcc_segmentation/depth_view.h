@@ -10,6 +10,9 @@
 
 namespace epcc {
 
+/// Largest scale of depths, metres a unit: one that no sensor has is a mistake.
+constexpr double kMaxDepthScale = 1000.0;
+
 /// How the values of a depth image are to be read, where it is not as DepthView says.
 struct DepthOptions {
   bool is_distance = false;       ///< values are lengths of the rays, as some renderers write them, instead of depths
@@ -40,7 +43,7 @@ struct DepthView {
   /// Bytes from the start of a row to that of the next; 0: rows adjoin. Need not be a multiple of sizeof(T); negative
   /// for images stored bottom up, whose `data` is then the last row of the memory.
   std::ptrdiff_t row_stride = 0;
-  /// Metres per unit.
+  /// Metres per unit, at most kMaxDepthScale.
   double scale = std::is_same<T, float>::value ? 1.0 : 0.001;
 };
 

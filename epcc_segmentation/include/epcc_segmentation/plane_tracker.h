@@ -115,10 +115,10 @@ class EPCC_CORE_EXPORT PlaneTracker {
 
   /// Takes the next frame, with the camera's pose, camera to map, if it is known, and its time in seconds. Without
   /// poses the first camera is the map's frame, and the camera is expected to go on as it did. Returns false, and
-  /// error() says why, if the frame cannot be used, the pose is no rotation with a translation, or a parameter is out
-  /// of range: then it is as if the frame had not been there, and the result is of no use. So it is if memory runs out
-  /// in the segmentation. If it does while the frame becomes part of the map, the map is forgotten, and labels begin
-  /// anew with the next frame. Nothing is thrown.
+  /// error() says why, if the frame cannot be used, the pose is no rotation with a translation, the time is before that
+  /// of the last frame, or a parameter is out of range: then it is as if the frame had not been there, and the result
+  /// is of no use. So it is if memory runs out in the segmentation. If it does while the frame becomes part of the map,
+  /// the map is forgotten, and labels begin anew with the next frame. Nothing is thrown.
   bool track(const DepthFrame& frame, const std::optional<Isometry3>& camera_to_map, double time, TrackedFrame& result);
 
   /// All tracks that had a label, in the order of their labels, ended ones included. Those out of sight go on.

@@ -45,6 +45,7 @@ bool PlaneTracker::track(const DepthFrame& frame, const std::optional<Isometry3>
   try {
     s.status = Status::InvalidParameters;
     s.error = trackerProblem(s.tracker, camera_to_map, time);
+    if (s.error.empty() && time < s.last_time) s.error = "the time is before that of the last frame";
     if (!s.error.empty()) return false;
     if (!s.segment(frame, camera_to_map, result)) {
       s.status = s.extractor.status();
@@ -59,6 +60,7 @@ bool PlaneTracker::track(const DepthFrame& frame, const std::optional<Isometry3>
     s.label(result);
     s.remember(result.segmentation);
     ++s.frame;
+    s.last_time = time;
     s.status = Status::Ok;
     return true;
   } catch (const std::bad_alloc&) {

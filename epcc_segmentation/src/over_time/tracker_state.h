@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,7 @@ struct PlaneTracker::State {
   Status status = Status::Ok;
   std::string error;
   long frame = 0, last_search = 0, last_look = 0;
+  double last_time = std::numeric_limits<double>::lowest();  // s, of the last frame
   double error_scale = 1.0;
   bool has_pose = false;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(), motion = Eigen::Isometry3d::Identity();

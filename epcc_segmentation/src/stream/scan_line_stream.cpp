@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "epcc_segmentation/depth_view.h"
 #include "stream/stream_state.h"
 
 namespace epcc {
@@ -108,8 +109,8 @@ template <typename T>
 bool ScanLineStream::addScaled(StreamGeometry::Kind kind, std::int64_t index, double azimuth, const T* values,
                                std::ptrdiff_t stride, double scale) {
   if (!accepts(kind, azimuth, values)) return false;
-  if (!(scale > 0.0) || !std::isfinite(scale))
-    return fail(Status::InvalidCamera, "the scan line's scale must be positive");
+  if (!(scale > 0.0 && scale <= kMaxDepthScale))
+    return fail(Status::InvalidCamera, "the scan line's scale must be positive, at most 1000 m a unit");
   if constexpr (std::is_same<T, float>::value)
     if (scale == 1.0) return add(index, azimuth, values, stride);
   return add(index, azimuth, state_->inMetres(values, stride, scale), 1);

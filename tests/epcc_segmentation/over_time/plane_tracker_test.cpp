@@ -219,6 +219,9 @@ TEST(PlaneTracker, NonsenseIsRefusedAndTheNextFrameIsTaken) {
   EXPECT_FALSE(tracker.error().empty());
   EXPECT_TRUE(tracker.track(room.frame(), std::nullopt, 0.0, tracked));
   EXPECT_TRUE(tracker.error().empty());
+  EXPECT_FALSE(tracker.track(room.frame(), std::nullopt, -0.1, tracked));
+  EXPECT_EQ(tracker.error(), "the time is before that of the last frame");
+  EXPECT_TRUE(tracker.track(room.frame(), std::nullopt, 0.0, tracked)) << "who has no times gives the same each time";
 
   TrackerParameters wrong;
   wrong.confirm_frames = 0;

@@ -177,10 +177,10 @@ TEST_F(ScaledLines, WithAScaleThatIsNoneAreLeftOutAndTheStreamGoesOn) {
   const std::vector<std::uint16_t> wall(static_cast<std::size_t>(camera_.width), 2000);
   ScanLineStream rows(StreamGeometry::cameraRows(camera_), options_);
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const double scale : {0.0, -0.001, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double scale : {0.0, -0.001, 1000.5, infinity, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_FALSE(rows.addRow(0, wall.data(), 1, scale)) << scale;
     EXPECT_EQ(rows.status(), Status::InvalidCamera);
-    EXPECT_EQ(rows.error(), "the scan line's scale must be positive");
+    EXPECT_EQ(rows.error(), "the scan line's scale must be positive, at most 1000 m a unit");
   }
   EXPECT_FALSE(rows.addRow(0, static_cast<const std::uint16_t*>(nullptr)));
   EXPECT_EQ(rows.status(), Status::EmptyCloud);
@@ -192,7 +192,7 @@ TEST_F(ScaledLines, WithAScaleThatIsNoneAreLeftOutAndTheStreamGoesOn) {
   for (int row = 0; row < 30; ++row) ASSERT_TRUE(rows.addRow(row, wall.data())) << rows.error();
   EXPECT_FALSE(rows.addRow(29, wall.data()));
   EXPECT_EQ(rows.status(), Status::OutOfOrder);
-  EXPECT_TRUE(rows.addRow(30, wall.data(), 1, 1e300)) << "too far to be measured is no error";
+  EXPECT_TRUE(rows.addRow(30, wall.data(), 1, 1000.0)) << "too far to be measured is no error";
   EXPECT_EQ(rows.taken(), 31);
 
   ScanLineStream scanner(test::SpinningScanner().geometry(), options_);
