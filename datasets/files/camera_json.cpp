@@ -11,6 +11,7 @@
 #include "datasets/files/image.h"
 #include "datasets/support/atomic_file.h"
 #include "datasets/support/input_error.h"
+#include "epcc_segmentation/depth_view.h"
 
 namespace epcc {
 
@@ -18,7 +19,6 @@ namespace {
 
 constexpr std::uintmax_t kMaxFileBytes = 16u << 20;
 constexpr int kMaxNesting = 100;
-constexpr double kMaxDepthScale = 1000.0;
 
 std::string readText(const std::string& path) {
   if (inputFileSize(path) > kMaxFileBytes) throw InputError(path, "file", "is larger than 16 MiB");
@@ -74,7 +74,10 @@ nlohmann::json readJsonObject(const std::string& path) {
         throw InputError(path, value.get<std::string>(), "occurs twice");
       return true;
     };
-    auto json = nlohmann::json::parse(readText(path), check);
+    const std::string text = readText(path);
+    if (text.find('\0') != std::string::npos)
+      throw InputError(path, "JSON", "has a byte that is zero");  // parse() ends
+    auto json = nlohmann::json::parse(text, check);
     if (!json.is_object()) throw InputError(path, "JSON", "is not an object");
     return json;
   } catch (const nlohmann::json::exception& error) {

@@ -2,6 +2,7 @@
 // A line parser of its own: PCL 1.13's reader crashes on several damaged headers.
 #include "datasets/files/pcd_header.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -100,6 +101,9 @@ std::vector<PcdField> readFields(const std::string& path, const Lines& lines) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     PcdField field;
     field.name = names[i];
+    const auto before = names.begin() + static_cast<std::ptrdiff_t>(i);
+    if (field.name != "_" && std::find(names.begin(), before, field.name) != before)  // padding may be in many places
+      throw InputError(path, "FIELDS", "'" + field.name + "' occurs twice");
     field.size = static_cast<int>(wholeNumber(path, "SIZE", sizes[i], 1, 8));
     if (field.size != 1 && field.size != 2 && field.size != 4 && field.size != 8)
       throw InputError(path, "SIZE", sizes[i] + " is not 1, 2, 4 or 8");

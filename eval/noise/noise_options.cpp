@@ -34,9 +34,8 @@ std::string setCamera(const RawOptions& raw, SegmentOptions& input) {
   if (given < 4) return "--fx, --fy, --cx and --cy come together";
   if (!input.camera_file.empty()) return "--camera takes the place of --fx, give one of them";
   const CameraNumbers numbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
-  if (!(numbers.depth_scale > 0.0)) return "--depth-scale: must be positive";
-  const std::string problem = PinholeCamera{1, 1, numbers.fx, numbers.fy, numbers.cx, numbers.cy}.validate();
-  if (!problem.empty()) return "camera: " + problem;
+  const std::string problem = numbers.validate();
+  if (!problem.empty()) return problem;
   if (raw.depth_scale && input.reading.unit) return "--unit takes the place of --depth-scale, give one of them";
   input.camera = numbers;
   return {};

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "datasets/support/number_text.h"
+#include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/parameter_table.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
@@ -145,12 +146,22 @@ void addFrameArguments(CLI::App& app, const std::string& inputs, SegmentOptions&
   addMethodOptions(app, options, arguments);
 }
 
+std::string CameraNumbers::validate() const {
+  if (!(depth_scale > 0.0 && depth_scale <= kMaxDepthScale)) return "--depth-scale: must be positive, at most 1000";
+  const std::string problem = PinholeCamera{1, 1, fx, fy, cx, cy}.validate();
+  return problem.empty() ? problem : "camera: " + problem;
+}
+
 std::string setFrameOptions(const FrameArguments& raw, SegmentOptions& options) {
   std::string misread;
   options.reading = readingOptions(raw.reading, misread);
   if (!misread.empty()) return misread;
   if (raw.depth_scale && options.reading.unit) return "--unit takes the place of --depth-scale, give one of them";
-  if (raw.fx) options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
+  if (raw.fx) {
+    options.camera = CameraNumbers{*raw.fx, *raw.fy, *raw.cx, *raw.cy, raw.depth_scale.value_or(0.001)};
+    const std::string problem = options.camera->validate();
+    if (!problem.empty()) return problem;
+  }
   return setMethod(raw, options.parameters);
 }
 

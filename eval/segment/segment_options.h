@@ -19,6 +19,8 @@ struct CameraNumbers {
   double cx = 0.0;
   double cy = 0.0;
   double depth_scale = 0.001;  ///< metres per depth unit
+  /// Empty, or what is wrong with them.
+  std::string validate() const;
 };
 
 /// Said of options that name an output file.

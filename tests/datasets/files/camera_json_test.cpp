@@ -128,6 +128,9 @@ TEST_F(CameraJsonTest, AKeyTwiceInOneObject) {
   content["mine"] = json::parse(R"({"fx": 1, "below": [{"fx": 2}, {"fx": 3}]})");
   EXPECT_EQ(read(content).extra["mine"], content["mine"]) << "each object has keys of its own";
 }
+TEST_F(CameraJsonTest, AByteThatIsZero) {
+  expectRefused(goodJson().dump() + std::string(1, '\0') + "{\"fx\": 5,,,", "JSON", "has a byte that is zero");
+}
 TEST_F(CameraJsonTest, TextBehindTheObject) {
   expectRefused(goodJson().dump() + "}", "JSON", "");
 }

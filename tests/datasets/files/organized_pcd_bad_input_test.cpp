@@ -93,6 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
                test::pcdHeader({{"COUNT", "1 2 1"}}) + "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 0 0 0\n0 0 0 0\n0 0 0 0\n",
                "COUNT", "y is not a single number"},
         BadPcd{"PaddingOnly", test::compressedPcd({{"FIELDS", "_ _ _"}}), "FIELDS", "padding"},
+        BadPcd{"FieldTwice", ascii("FIELDS", "x y y"), "FIELDS", "'y' occurs twice"},
         BadPcd{"SizeTwice", "VERSION 0.7\nSIZE 4\nSIZE 4\nDATA ascii\n", "SIZE", "occurs twice"},
         BadPcd{"ThousandFields",
                [] {

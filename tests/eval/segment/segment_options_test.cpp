@@ -228,6 +228,9 @@ TEST_F(SegmentOptions, BadCameraNumbers) {
     usage({"--fx", bad, "--fy", "60", "--cx", "32", "--cy", "24"}, "--fx");
     usage({"--fx", "60", "--fy", "60", "--cx", "32", "--cy", "24", "--depth-scale", bad}, "--depth-scale");
   }
+  for (const char* bad : {"1e7", "1e308", "0.0001"})
+    usage({"--fx", bad, "--fy", "60", "--cx", "32", "--cy", "24"}, "camera: fx and fy must be in [0.001, 1e6] pixels");
+  usage({"--fx", "60", "--fy", "60", "--cx", "32", "--cy", "24", "--depth-scale", "1001"}, "--depth-scale: must be");
   usage({"--fx", "60", "--fy", "60", "--cx", "nan", "--cy", "24"}, "--cx");
   usage({"--fx", "60", "--fy", "60", "--cx", "32"}, "--cy");
   usage({"--depth-scale", "0.001"}, "--fx");
