@@ -109,7 +109,7 @@ kill -STOP "$process"
 mv err err_first
 code=0
 evaluate --out run --resume || code=$?
-told 4 "run: folder: another epcc_eval is at work in it"
+told 4 "run: folder: another process is at work in it"
 kill -CONT "$process"
 wait "$process" || fail "the first of two is disturbed"
 same run

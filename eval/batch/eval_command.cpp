@@ -134,7 +134,8 @@ std::optional<ExperimentSummary> EvalRun::runInFolder() {
   FrameJobs jobs = shardJobs();
   if (options_.resume)
     jobs.keepIf([&](const FrameJob& job) {
-      return !loadFrame(options_.out, job.source->dataset(), job.index, description.methods);
+      return !loadFrame(options_.out, job.source->dataset(), job.index, description.methods,
+                        job.source->name(job.index));
     });
   bool lost = false;
   const auto store = [&](const FrameResult& result) {

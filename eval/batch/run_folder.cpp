@@ -11,7 +11,7 @@ namespace epcc {
 
 namespace fs = std::filesystem;
 
-RunFolder::RunFolder(const std::string& out) : out_(out), lock_(out, "epcc_eval") {}
+RunFolder::RunFolder(const std::string& out) : out_(out), lock_(out) {}
 
 std::string RunFolder::refuseRun() const {
   std::error_code ignored;

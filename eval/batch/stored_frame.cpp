@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "datasets/files/camera_json.h"
 #include "datasets/support/atomic_file.h"
+#include "datasets/support/input_error.h"
 #include "datasets/support/output_folder.h"
 #include "eval/experiment/record_json.h"
 
@@ -25,6 +25,11 @@ constexpr int kStoredVersion = 1;
 bool areOf(const std::vector<std::string>& methods, const std::vector<FrameRecord>& records) {
   return std::equal(methods.begin(), methods.end(), records.begin(), records.end(),
                     [](const std::string& method, const FrameRecord& record) { return method == record.method; });
+}
+
+/// JSON is UTF-8: what is none comes back as something else.
+nlohmann::json asStored(const std::string& text) {
+  return nlohmann::json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace
@@ -46,20 +51,21 @@ void storeFrame(const std::string& out, const StoredFrame& frame) {
 }
 
 std::optional<StoredFrame> loadFrame(const std::string& out, const std::string& dataset, std::size_t index,
-                                     const std::vector<std::string>& methods) {
-  std::ifstream file(storedFramePath(out, dataset, index), std::ios::binary);
-  if (!file) return std::nullopt;
+                                     const std::vector<std::string>& methods, const std::optional<std::string>& name) {
   try {
-    const Json json = Json::parse(file);
+    const nlohmann::json json = readJsonObject(storedFramePath(out, dataset, index));
     StoredFrame frame;
     if (json.at("version") != kStoredVersion || json.at("index") != index) return std::nullopt;
+    if (json.at("dataset") != asStored(dataset) || (name && json.at("frame") != asStored(*name))) return std::nullopt;
     frame.index = index;
     frame.file_name = json.at("file_name");
-    for (const Json& record : json.at("records"))
+    for (const nlohmann::json& record : json.at("records"))
       frame.records.push_back(recordFromJson(record, dataset, json.at("frame")));
     if (frame.records.empty() || !areOf(methods, frame.records)) return std::nullopt;
     return frame;
-  } catch (const Json::exception&) {
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  } catch (const InputError&) {
     return std::nullopt;
   }
 }

@@ -24,9 +24,10 @@ std::string storedFramePath(const std::string& out, const std::string& dataset, 
 /// Appears whole or not at all. Times are kept in whole microseconds. Throws OutputError.
 void storeFrame(const std::string& out, const StoredFrame& frame);
 
-/// Nothing if the frame has no result, one of other methods than these or, after a failure of the machine, a damaged
-/// one.
+/// Nothing if the frame has no result, one of other methods than these, of another frame than `name`, if that is given,
+/// or, after a failure of the machine, a damaged one.
 std::optional<StoredFrame> loadFrame(const std::string& out, const std::string& dataset, std::size_t index,
-                                     const std::vector<std::string>& methods);
+                                     const std::vector<std::string>& methods,
+                                     const std::optional<std::string>& name = std::nullopt);
 
 }  // namespace epcc

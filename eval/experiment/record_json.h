@@ -12,7 +12,8 @@ namespace epcc {
 /// Without the names of data set and frame. Times are kept in whole microseconds.
 nlohmann::ordered_json toJson(const FrameRecord& record);
 
-/// Throws nlohmann's exceptions for what toJson() has not written.
-FrameRecord recordFromJson(const nlohmann::ordered_json& json, const std::string& dataset, const std::string& frame);
+/// Throws InputError or nlohmann's exceptions for what toJson() has not written: numbers that are not whole, below zero
+/// or above 10^15 among them.
+FrameRecord recordFromJson(const nlohmann::json& json, const std::string& dataset, const std::string& frame);
 
 }  // namespace epcc

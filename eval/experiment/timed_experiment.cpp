@@ -112,7 +112,7 @@ void TimedRun::look(Place& place, Clock::time_point now) {
 void TimedRun::unpack(const Place& place, const std::string& answer) {
   const FrameJob job = jobs_[place.job];
   std::vector<FrameRecord> records;
-  for (const Json& json : Json::parse(answer))
+  for (const nlohmann::json& json : nlohmann::json::parse(answer))
     records.push_back(recordFromJson(json, job.source->dataset(), job.source->name(job.index)));
   sorter_.add(place.job, std::move(records));
 }

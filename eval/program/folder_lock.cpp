@@ -36,12 +36,12 @@ bool isTaken(int file) {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::string& folder, const std::string& program) {
+FolderLock::FolderLock(const std::string& folder) {
   makeOutputFolder(folder);
   file_ = open((std::filesystem::path(folder) / ".epcc-lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
   if (file_ < 0 || isTaken(file_)) return;
   close(file_);
-  throw OutputError(folder, "folder", "another " + program + " is at work in it");
+  throw OutputError(folder, "folder", "another process is at work in it");
 }
 
 FolderLock::~FolderLock() {

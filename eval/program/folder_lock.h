@@ -10,8 +10,8 @@ namespace epcc {
 /// process, however it ends.
 class FolderLock {
  public:
-  /// Makes the folder. Throws OutputError if that fails, or another process of `program` works there.
-  FolderLock(const std::string& folder, const std::string& program);
+  /// Makes the folder. Throws OutputError if that fails, or another process works there.
+  explicit FolderLock(const std::string& folder);
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
   ~FolderLock();

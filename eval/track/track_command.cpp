@@ -61,7 +61,7 @@ int trackMain(int argc, const char* const* argv, std::ostream& out, std::ostream
     std::string misuse = uselessOption(options.reading, kinds);
     if (misuse.empty()) misuse = outputProblem(options, input);
     if (!misuse.empty()) return reportProblem(kProgram, err, misuse, kExitUsage);
-    const FolderLock lock(options.out, kProgram);
+    const FolderLock lock(options.out);
     for (const std::string& file : filesOfRun(options.out)) checkOutputFile(file);  // before hours of work
     const TrackResult result = runTracker(options, input, err);
     if (result.doubtful > 0)

@@ -116,7 +116,7 @@ TEST_F(EvalResume, TwoAtATimeInOneFolderAreRefused) {
   const std::string hold = "flock o/.epcc-lock ";
   const auto result = runShell(hold, {"rooms", "--methods", "omps", "--out", "o"});
   EXPECT_EQ(result.exit_code, 4);
-  EXPECT_NE(result.err.find("another epcc_eval is at work in it"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("another process is at work in it"), std::string::npos) << result.err;
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 #include "eval/batch/stored_frame.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
 
 #include "eval/experiment/frame_jobs.h"
 #include "eval/experiment/time_counts.h"
@@ -47,6 +50,41 @@ TEST_F(StoredFrames, ADoubtComesBackAndOlderFilesHaveNone) {
 
 TEST_F(StoredFrames, NothingWhereThereIsNone) {
   EXPECT_FALSE(loadFrame(folder(), "rooms", 0, {"m"}).has_value());
+}
+
+TEST_F(StoredFrames, AResultOfAnotherFrameIsNone) {
+  storeFrame(folder(), {7, "f", {{"rooms", "f\xff", "m", {}, {}, ""}}});
+  EXPECT_TRUE(loadFrame(folder(), "rooms", 7, {"m"}, "f\xff").has_value());
+  EXPECT_FALSE(loadFrame(folder(), "rooms", 7, {"m"}, "g").has_value());
+  std::filesystem::create_directories(path("results/halls/000000"));
+  write("results/halls/000000/007.json", read("results/rooms/000000/007.json"));
+  EXPECT_FALSE(loadFrame(folder(), "halls", 7, {"m"}).has_value());
+}
+
+TEST_F(StoredFrames, ADamagedNumberIsNoResult) {
+  storeFrame(folder(), {7, "f", {{"rooms", "f", "m", {}, 1.0, ""}}});
+  const std::string file = "results/rooms/000000/007.json", good = read(file);
+  for (const char* word : {"\"N\":", "\"noise\":", "\"iou_sum_millionths\":", "\"microseconds\":"}) {
+    const std::size_t begin = good.find(word) + std::string(word).size();
+    ASSERT_LT(begin, good.size()) << word;
+    const auto with = [&](const std::string& number) {
+      write(file, std::string(good).replace(begin, good.find_first_of(",}", begin) - begin, number));
+      return loadFrame(folder(), "rooms", 7, {"m"}).has_value();
+    };
+    EXPECT_TRUE(with("1000000000000000"));
+    for (const char* number : {"-1", "1.5", "1e3", "1000000000000001", "9223372036854775808", "1e300", "\"1\"", "null"})
+      EXPECT_FALSE(with(number)) << word << number;
+  }
+}
+
+TEST_F(StoredFrames, WhatIsNoFileOrTooLargeIsNoResult) {
+  const std::string file = "results/rooms/000000/007.json";
+  storeFrame(folder(), {7, "f", {{"rooms", "f", "m", {}, {}, ""}}});
+  write(file, read(file) + std::string(17 << 20, ' '));
+  EXPECT_FALSE(loadFrame(folder(), "rooms", 7, {"m"}).has_value());
+  std::filesystem::remove(path(file));
+  ASSERT_EQ(::mkfifo(path(file).c_str(), 0600), 0);
+  EXPECT_FALSE(loadFrame(folder(), "rooms", 7, {"m"}).has_value());
 }
 
 TEST_F(StoredFrames, AResultOfOtherMethodsIsNone) {

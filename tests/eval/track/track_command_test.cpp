@@ -76,8 +76,8 @@ TEST_F(TrackCommand, WhatIsNoFileIsNotReplaced) {
 }
 
 TEST_F(TrackCommand, TwoAtATimeInOneFolderAreRefused) {
-  const FolderLock lock(path("o"), "epcc_track");
-  expectFailure({frames(), "--frames", "3", "--out", path("o")}, 4, "another epcc_track is at work in it");
+  const FolderLock lock(path("o"));
+  expectFailure({frames(), "--frames", "3", "--out", path("o")}, 4, "another process is at work in it");
 }
 
 TEST_F(TrackCommand, DoubtfulFramesAreToldOnce) {
