@@ -75,8 +75,8 @@ nlohmann::json readJsonObject(const std::string& path) {
       return true;
     };
     const std::string text = readText(path);
-    if (text.find('\0') != std::string::npos)
-      throw InputError(path, "JSON", "has a byte that is zero");  // parse() ends
+    // The parser takes a zero for the end, and would pass over what stands behind it.
+    if (text.find('\0') != std::string::npos) throw InputError(path, "JSON", "has a byte that is zero");
     auto json = nlohmann::json::parse(text, check);
     if (!json.is_object()) throw InputError(path, "JSON", "is not an object");
     return json;

@@ -72,7 +72,7 @@ depth_scale: metres per unit, where it is another one.
 is_distance: values are lengths of the rays instead of depths.
 invalid: one more value of the image, in its units, that stands for nothing measured.
 min_depth, max_depth: what is nearer or farther is invalid, metres.
-InputError if sizes, strides, camera or scale cannot be used, TypeError for other types of numbers.)")
+InputError if sizes, strides, camera, scale or range of depths cannot be used, TypeError for other types of numbers.)")
       .def_static("from_points", &fromPoints, "points"_a, "options"_a = CloudOptions(), py::kw_only(),
                   "geometry"_a = py::none(),
                   R"(An organized cloud of a camera or a scanner, in any frame and unit.

@@ -8,6 +8,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "depth_range.h"
 #include "depth_rows.h"
 #include "geometry/rigid_map.h"
 
@@ -109,8 +110,8 @@ DepthFrame DepthFrame::fromPoints(const float* xyz, std::size_t stride, int widt
 }
 
 DepthFrame DepthFrame::readAs(const DepthOptions& options) const {
-  if (depth_ != nullptr && (!(options.min_depth >= 0.0) || !(options.max_depth > options.min_depth)))
-    return unusable(Status::InvalidParameters, "the depths must be 0 <= min_depth < max_depth");
+  if (depth_ != nullptr && !isDepthRange(options.min_depth, options.max_depth))
+    return unusable(Status::InvalidParameters, kNoDepthRange);
   DepthFrame frame = *this;
   frame.options_ = options;
   frame.has_options_ = depth_ != nullptr;

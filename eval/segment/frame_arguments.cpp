@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "datasets/support/number_text.h"
-#include "epcc_segmentation/depth_frame.h"
 #include "epcc_segmentation/parameter_table.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
@@ -144,12 +143,6 @@ void addFrameArguments(CLI::App& app, const std::string& inputs, SegmentOptions&
   addCameraOptions(app, options, arguments);
   addReadingArguments(app, arguments.reading);
   addMethodOptions(app, options, arguments);
-}
-
-std::string CameraNumbers::validate() const {
-  if (!(depth_scale > 0.0 && depth_scale <= kMaxDepthScale)) return "--depth-scale: must be positive, at most 1000";
-  const std::string problem = PinholeCamera{1, 1, fx, fy, cx, cy}.validate();
-  return problem.empty() ? problem : "camera: " + problem;
 }
 
 std::string setFrameOptions(const FrameArguments& raw, SegmentOptions& options) {

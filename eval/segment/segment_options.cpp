@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "datasets/support/folder_listing.h"
+#include "epcc_segmentation/depth_frame.h"
 #include "eval/program/command_line.h"
 #include "eval/program/frame_sensor.h"
 #include "eval/segment/frame_arguments.h"
@@ -72,6 +73,12 @@ void printParameters() {
 }
 
 }  // namespace
+
+std::string CameraNumbers::validate() const {
+  if (!(depth_scale > 0.0 && depth_scale <= kMaxDepthScale)) return "--depth-scale: must be positive, at most 1000";
+  const std::string problem = PinholeCamera{1, 1, fx, fy, cx, cy}.validate();
+  return problem.empty() ? problem : "camera: " + problem;
+}
 
 std::optional<int> parseSegmentOptions(int argc, const char* const* argv, SegmentOptions& options, std::ostream& out,
                                        std::ostream& err) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <new>
 
+#include "depth_range.h"
 #include "geometry/hypothesis_search.h"
 #include "geometry/scan_grid.h"
 #include "quantile.h"
@@ -31,7 +32,7 @@ constexpr double kMillimetre = 0.001;
 
 std::string CloudOptions::validate() const {
   if (!std::isfinite(unit) || unit < 0.0) return "the unit must be positive, in metres, or 0 where it is not known";
-  if (!(min_depth >= 0.0) || !(max_depth > min_depth)) return "the depths must be 0 <= min_depth < max_depth";
+  if (!isDepthRange(min_depth, max_depth)) return kNoDepthRange;
   if (viewpoint && !(viewpoint->axes.allFinite() && viewpoint->origin.allFinite()))
     return "the viewpoint is not finite";
   return {};
